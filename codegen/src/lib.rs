@@ -1,0 +1,1 @@
+//! Exact derivation of machine-tool measurement models, and printers for them.

@@ -1,0 +1,2 @@
+//! Fixed-size, allocation-free least squares for the generated measurement models.
+#![no_std]

@@ -1,0 +1,1 @@
+//! Facade of the workspace: what the command line and other programs use.
