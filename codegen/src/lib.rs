@@ -1,1 +1,3 @@
 //! Exact derivation of machine-tool measurement models, and printers for them.
+
+pub mod algebra;

@@ -1,0 +1,194 @@
+//! The symbols of one model and what the normal form knows about them.
+
+use super::{AlgebraError, MAX_NOMINALS};
+
+/// Index of a nominal symbol: a constant, √2, π, a sweep, or a sweep's sine or cosine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NominalId(pub(super) u8);
+
+/// Index of a sweep (the parameter of a path, an angle in rad).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SweepId(pub(super) u8);
+
+/// Index of an error symbol, counted from 1 so that 0 can mean "none" inside a monomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ErrorId(pub(super) u16);
+
+impl ErrorId {
+    /// Position in [`Alphabet::errors`].
+    pub fn index(self) -> usize {
+        usize::from(self.0) - 1
+    }
+}
+
+/// What an error measures: lengths in mm, angles in rad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// mm
+    Length,
+    /// rad
+    Angle,
+}
+
+/// The meaning of a nominal symbol.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Nominal {
+    /// π, transcendental: no relation.
+    Pi,
+    /// √2, with √2² = 2.
+    Root2,
+    /// A length of the set-up, in mm (R, say).
+    Constant(String),
+    /// The sweep itself, in rad.
+    Sweep(SweepId),
+    /// Its sine.
+    Sin(SweepId),
+    /// Its cosine, with cos² = 1 − sin².
+    Cos(SweepId),
+}
+
+/// All symbols of one model. π and √2 are always there.
+#[derive(Clone, Debug)]
+pub struct Alphabet {
+    nominals: Vec<Nominal>,
+    sweeps: Vec<String>,
+    errors: Vec<(String, Quantity)>,
+}
+
+impl Default for Alphabet {
+    fn default() -> Self {
+        Self { nominals: vec![Nominal::Pi, Nominal::Root2], sweeps: Vec::new(), errors: Vec::new() }
+    }
+}
+
+impl Alphabet {
+    /// π
+    pub const PI: NominalId = NominalId(0);
+    /// √2
+    pub const ROOT2: NominalId = NominalId(1);
+
+    fn add(&mut self, nominal: Nominal) -> Result<NominalId, AlgebraError> {
+        if self.nominals.len() == MAX_NOMINALS {
+            return Err(AlgebraError::TooManyNominals);
+        }
+        self.nominals.push(nominal);
+        Ok(NominalId(self.nominals.len() as u8 - 1))
+    }
+
+    /// The constant called `name`, made if it is new.
+    pub fn constant(&mut self, name: &str) -> Result<NominalId, AlgebraError> {
+        match self.find_constant(name) {
+            Some(id) => Ok(id),
+            None => self.add(Nominal::Constant(name.to_owned())),
+        }
+    }
+
+    /// The constant called `name`, if the model has it.
+    pub fn find_constant(&self, name: &str) -> Option<NominalId> {
+        let is = |n: &Nominal| matches!(n, Nominal::Constant(c) if c == name);
+        self.nominals.iter().position(is).map(|i| NominalId(i as u8))
+    }
+
+    /// The sweep called `name` with its sine and cosine, made if it is new.
+    pub fn sweep(&mut self, name: &str) -> Result<SweepId, AlgebraError> {
+        if let Some(id) = self.find_sweep(name) {
+            return Ok(id);
+        }
+        let id = SweepId(self.sweeps.len() as u8);
+        for nominal in [Nominal::Sweep(id), Nominal::Sin(id), Nominal::Cos(id)] {
+            self.add(nominal)?;
+        }
+        self.sweeps.push(name.to_owned());
+        Ok(id)
+    }
+
+    /// The sweep called `name`, if a run has it.
+    pub fn find_sweep(&self, name: &str) -> Option<SweepId> {
+        self.sweeps.iter().position(|s| s == name).map(|i| SweepId(i as u8))
+    }
+
+    /// The error called `name`, made with `quantity` if it is new.
+    pub fn error(&mut self, name: &str, quantity: Quantity) -> Result<ErrorId, AlgebraError> {
+        if let Some(id) = self.find_error(name) {
+            return Ok(id);
+        }
+        let id = u16::try_from(self.errors.len() + 1).map_err(|_| AlgebraError::TooManyErrors)?;
+        self.errors.push((name.to_owned(), quantity));
+        Ok(ErrorId(id))
+    }
+
+    /// The error called `name`, if the model has it.
+    pub fn find_error(&self, name: &str) -> Option<ErrorId> {
+        self.errors.iter().position(|(n, _)| n == name).map(|i| ErrorId(i as u16 + 1))
+    }
+
+    /// All errors in the order they were made.
+    pub fn errors(&self) -> impl Iterator<Item = (ErrorId, &str, Quantity)> {
+        self.errors.iter().enumerate().map(|(i, (name, q))| (ErrorId(i as u16 + 1), name.as_str(), *q))
+    }
+
+    /// Name of an error.
+    pub fn error_name(&self, id: ErrorId) -> &str {
+        &self.errors[id.index()].0
+    }
+
+    /// Length or angle.
+    pub fn error_quantity(&self, id: ErrorId) -> Quantity {
+        self.errors[id.index()].1
+    }
+
+    /// All nominal symbols.
+    pub fn nominals(&self) -> impl Iterator<Item = (NominalId, &Nominal)> {
+        self.nominals.iter().enumerate().map(|(i, n)| (NominalId(i as u8), n))
+    }
+
+    /// Names of the constants, in the order they were made.
+    pub fn constants(&self) -> impl Iterator<Item = &str> {
+        self.nominals.iter().filter_map(|n| if let Nominal::Constant(name) = n { Some(name.as_str()) } else { None })
+    }
+
+    /// Meaning of a nominal symbol.
+    pub fn nominal(&self, id: NominalId) -> &Nominal {
+        &self.nominals[usize::from(id.0)]
+    }
+
+    /// Name of a sweep.
+    pub fn sweep_name(&self, id: SweepId) -> &str {
+        &self.sweeps[usize::from(id.0)]
+    }
+
+    /// The sweep's own symbol, its sine and its cosine.
+    pub fn sweep_symbols(&self, id: SweepId) -> [NominalId; 3] {
+        let first = self.nominals.iter().position(|n| *n == Nominal::Sweep(id)).unwrap_or(0) as u8;
+        [NominalId(first), NominalId(first + 1), NominalId(first + 2)]
+    }
+
+    /// Pairs (sine, cosine) of every sweep.
+    pub(super) fn circles(&self) -> impl Iterator<Item = (NominalId, NominalId)> {
+        (0..self.sweeps.len()).map(|i| {
+            let [_, sin, cos] = self.sweep_symbols(SweepId(i as u8));
+            (sin, cos)
+        })
+    }
+
+    /// True for π, √2 and the set-up's constants: what does not change along a sweep.
+    pub fn is_constant(&self, id: NominalId) -> bool {
+        matches!(self.nominal(id), Nominal::Pi | Nominal::Root2 | Nominal::Constant(_))
+    }
+
+    /// Name of a nominal symbol in plain text: a single sweep has `s` and `c`, several have `s_a`, `c_a`, ….
+    pub fn nominal_name(&self, id: NominalId) -> String {
+        let short = self.sweeps.len() == 1 && !["s", "c"].contains(&self.sweeps[0].as_str());
+        let trig = |letter: &str, sweep: SweepId| {
+            if short { letter.to_owned() } else { format!("{letter}_{}", self.sweep_name(sweep)) }
+        };
+        match self.nominal(id) {
+            Nominal::Pi => "pi".to_owned(),
+            Nominal::Root2 => "sqrt(2)".to_owned(),
+            Nominal::Constant(name) => name.clone(),
+            Nominal::Sweep(sweep) => self.sweep_name(*sweep).to_owned(),
+            Nominal::Sin(sweep) => trig("s", *sweep),
+            Nominal::Cos(sweep) => trig("c", *sweep),
+        }
+    }
+}

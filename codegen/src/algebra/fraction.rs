@@ -1,0 +1,166 @@
+//! The field of the base-parameter factorisation: quotients of polynomials in the constants.
+
+use super::gcd::{divide, gcd};
+use super::rational;
+use super::{AlgebraError, Alphabet, Monomial, Order, Poly};
+
+/// A reduced quotient of polynomials in π, √2 and the set-up's constants.
+///
+/// A single-term denominator, the usual case, moves into the numerator as negative exponents; the rest is √2-free,
+/// shares no factor with the numerator and has leading coefficient 1. So equal fractions are equal values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fraction {
+    numerator: Poly,
+    denominator: Poly,
+}
+
+impl Fraction {
+    /// 0
+    pub fn zero() -> Self {
+        Self { numerator: Poly::ZERO, denominator: Poly::one() }
+    }
+
+    /// 1
+    pub fn one() -> Self {
+        Self { numerator: Poly::one(), denominator: Poly::one() }
+    }
+
+    /// A polynomial in constants.
+    pub fn whole(numerator: Poly) -> Self {
+        Self { numerator, denominator: Poly::one() }
+    }
+
+    /// The numerator.
+    pub fn numerator(&self) -> &Poly {
+        &self.numerator
+    }
+
+    /// The denominator: 1, or a polynomial of several terms.
+    pub fn denominator(&self) -> &Poly {
+        &self.denominator
+    }
+
+    /// The polynomial, where the denominator is 1.
+    pub fn as_poly(&self) -> Option<&Poly> {
+        (self.denominator.as_number()? == rational::integer(1)).then_some(&self.numerator)
+    }
+
+    /// True for 0.
+    pub fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// `numerator / denominator` in reduced form.
+    pub fn new(numerator: Poly, denominator: Poly, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
+        let (mut numerator, mut denominator) = (numerator.normal(alphabet)?, denominator.normal(alphabet)?);
+        if denominator.terms().iter().any(|(m, _)| m.exponent(Alphabet::ROOT2) != 0) {
+            let conjugate = conjugate(&denominator)?;
+            numerator = numerator.times(&conjugate, Order::NOMINAL)?.normal(alphabet)?;
+            denominator = denominator.times(&conjugate, Order::NOMINAL)?.normal(alphabet)?;
+        }
+        if denominator.terms().len() > 1 {
+            let shift = lowest(&denominator).recip()?;
+            denominator = denominator.times(&Poly::term(shift, rational::integer(1)), Order::NOMINAL)?;
+            numerator = numerator.times(&Poly::term(shift, rational::integer(1)), Order::NOMINAL)?;
+            let lift = lowest(&numerator);
+            let lifted = numerator.times(&Poly::term(lift.recip()?, rational::integer(1)), Order::NOMINAL)?;
+            let mut common = denominator.clone();
+            for (_, part) in by_root2(&lifted) {
+                common = gcd(&common, &part)?;
+            }
+            let mut reduced = Vec::new();
+            for (root, part) in by_root2(&lifted) {
+                let quotient = divide(&part, &common)?.unwrap_or(part);
+                reduced.extend(quotient.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?.terms().iter().copied());
+            }
+            numerator = Poly::from_terms(reduced)?.times(&Poly::term(lift, rational::integer(1)), Order::NOMINAL)?;
+            denominator = divide(&denominator, &common)?.unwrap_or(denominator);
+        }
+        match denominator.terms() {
+            [] => Err(AlgebraError::DivisionByZero),
+            [(m, c)] => {
+                let inverse = Poly::term(m.recip()?, rational::recip(c)?);
+                Ok(Self::whole(numerator.times(&inverse, Order::NOMINAL)?.normal(alphabet)?))
+            }
+            [.., (_, lead)] => {
+                let inverse = rational::recip(lead)?;
+                Ok(Self { numerator: numerator.scaled(&inverse)?, denominator: denominator.scaled(&inverse)? })
+            }
+        }
+    }
+
+    /// −x
+    pub fn negated(&self) -> Self {
+        Self { numerator: self.numerator.negated(), denominator: self.denominator.clone() }
+    }
+
+    /// `self · other`
+    pub fn times(&self, other: &Self, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
+        if self.is_zero() || other.is_zero() {
+            return Ok(Self::zero());
+        }
+        let numerator = self.numerator.times(&other.numerator, Order::NOMINAL)?;
+        match (self.as_poly(), other.as_poly()) {
+            (Some(_), Some(_)) => Ok(Self::whole(numerator.normal(alphabet)?)),
+            _ => Self::new(numerator, self.denominator.times(&other.denominator, Order::NOMINAL)?, alphabet),
+        }
+    }
+
+    /// `self − a · b`, the step of elimination.
+    pub fn minus_product(&self, a: &Self, b: &Self, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
+        let product = a.times(b, alphabet)?;
+        if let (Some(p), Some(q)) = (self.as_poly(), product.as_poly()) {
+            return Ok(Self::whole(p.minus(q)?));
+        }
+        let cross = |x: &Self, y: &Self| x.numerator.times(&y.denominator, Order::NOMINAL);
+        let numerator = cross(self, &product)?.minus(&cross(&product, self)?)?;
+        Self::new(numerator, self.denominator.times(&product.denominator, Order::NOMINAL)?, alphabet)
+    }
+
+    /// `1 / self`
+    pub fn recip(&self, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
+        Self::new(self.denominator.clone(), self.numerator.clone(), alphabet)
+    }
+}
+
+/// The greatest monomial that divides every term (with negative exponents where a term has them).
+fn lowest(p: &Poly) -> Monomial {
+    let mut terms = p.terms().iter().map(|(m, _)| *m.powers());
+    let first = terms.next().unwrap_or([0; super::MAX_NOMINALS]);
+    let mut powers = terms.fold(first, |low, p| core::array::from_fn(|i| low[i].min(p[i])));
+    powers[usize::from(Alphabet::ROOT2.0)] = 0;
+    Monomial::of_powers(powers)
+}
+
+/// `p = p₀ + √2 p₁`
+fn by_root2(p: &Poly) -> Vec<(Monomial, Poly)> {
+    let root2 = Alphabet::ROOT2;
+    p.group(|m| Monomial::nominal(root2, m.exponent(root2)), |m| m.with_exponent(root2, 0))
+}
+
+/// `p₀ − √2 p₁`
+fn conjugate(p: &Poly) -> Result<Poly, AlgebraError> {
+    let sign = |m: &Monomial| if m.exponent(Alphabet::ROOT2) == 0 { 1 } else { -1 };
+    Poly::from_terms(p.terms().iter().map(|(m, c)| (*m, c * rational::integer(sign(m)))).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_fractions_are_equal_values() {
+        let mut alphabet = Alphabet::default();
+        let [r, h] = ["R", "H"].map(|n| Poly::nominal(alphabet.constant(n).unwrap()));
+        let root = Poly::nominal(Alphabet::ROOT2);
+        let times = |a: &Poly, b: &Poly| a.times(b, Order::NOMINAL).unwrap();
+        let (sum, scaled) = (r.plus(&h).unwrap(), r.plus(&times(&root, &h)).unwrap());
+        let fraction = |n: &Poly, d: &Poly| Fraction::new(n.clone(), d.clone(), &alphabet).unwrap();
+        assert_eq!(fraction(&times(&sum, &r), &times(&sum, &h)), fraction(&r, &h));
+        assert_eq!(fraction(&times(&scaled, &sum), &times(&scaled, &h)), fraction(&sum, &h));
+        let x = fraction(&sum, &scaled);
+        assert_eq!(x.times(&x.recip(&alphabet).unwrap(), &alphabet).unwrap(), Fraction::one());
+        assert!(x.minus_product(&x, &Fraction::one(), &alphabet).unwrap().is_zero());
+        assert_eq!(Fraction::zero().recip(&alphabet), Err(AlgebraError::DivisionByZero));
+    }
+}

@@ -1,0 +1,112 @@
+//! Homogeneous 4×4 transforms and points with polynomial entries.
+
+use super::{AlgebraError, Order, Poly};
+use core::array;
+
+/// A point or displacement in space, mm.
+pub type Vector = [Poly; 3];
+
+/// A 4×4 homogeneous transform; its last row is always (0, 0, 0, 1) and so is not stored.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Transform {
+    rows: [[Poly; 4]; 3],
+}
+
+impl Transform {
+    /// The transform that changes nothing.
+    pub fn identity() -> Self {
+        Self::new(array::from_fn(|i| array::from_fn(|j| if i == j { Poly::one() } else { Poly::ZERO })), Default::default())
+    }
+
+    /// From the 3×3 part and the translation.
+    pub fn new(linear: [[Poly; 3]; 3], translation: Vector) -> Self {
+        let mut translation = translation.into_iter();
+        let rows = linear.map(|[x, y, z]| [x, y, z, translation.next().unwrap_or_default()]);
+        Self { rows }
+    }
+
+    /// A pure translation.
+    pub fn translation(by: Vector) -> Self {
+        Self::new(Self::identity().linear(), by)
+    }
+
+    /// The small rotation [1 −c b; c 1 −a; −b a 1] by the angles (a, b, c) about x, y, z, with a translation:
+    /// the matrix SM (location errors) or EM (motion errors) of eqs. (1) and (2).
+    pub fn small([a, b, c]: Vector, translation: Vector) -> Self {
+        let one = Poly::one;
+        let linear = [[one(), c.negated(), b.clone()], [c, one(), a.negated()], [b.negated(), a, one()]];
+        Self::new(linear, translation)
+    }
+
+    /// The 3×3 part.
+    pub fn linear(&self) -> [[Poly; 3]; 3] {
+        array::from_fn(|i| array::from_fn(|j| self.rows[i][j].clone()))
+    }
+
+    /// Image of a point, truncated at `order` errors.
+    pub fn apply(&self, point: &Vector, order: Order) -> Result<Vector, AlgebraError> {
+        let mut image = Vector::default();
+        for (out, row) in image.iter_mut().zip(&self.rows) {
+            let mut terms = row[3].terms().to_vec();
+            for (entry, coordinate) in row.iter().zip(point) {
+                entry.product_into(coordinate, order, &mut terms)?;
+            }
+            *out = Poly::from_terms(terms)?;
+        }
+        Ok(image)
+    }
+
+    /// `self · other`: other acts first.
+    pub fn compose(&self, other: &Self, order: Order) -> Result<Self, AlgebraError> {
+        let mut rows: [[Poly; 4]; 3] = Default::default();
+        for (out, row) in rows.iter_mut().zip(&self.rows) {
+            for (j, entry) in out.iter_mut().enumerate() {
+                let mut terms = if j == 3 { row[3].terms().to_vec() } else { Vec::new() };
+                for (left, right) in row.iter().zip(&other.rows) {
+                    left.product_into(&right[j], order, &mut terms)?;
+                }
+                *entry = Poly::from_terms(terms)?;
+            }
+        }
+        Ok(Self { rows })
+    }
+}
+
+/// `p · q`, truncated at `order` errors.
+pub(crate) fn dot(p: &Vector, q: &Vector, order: Order) -> Result<Poly, AlgebraError> {
+    let mut terms = Vec::new();
+    for (a, b) in p.iter().zip(q) {
+        a.product_into(b, order, &mut terms)?;
+    }
+    Poly::from_terms(terms)
+}
+
+/// `p − q`.
+pub(crate) fn difference(p: &Vector, q: &Vector) -> Result<Vector, AlgebraError> {
+    let mut out = Vector::default();
+    for (o, (a, b)) in out.iter_mut().zip(p.iter().zip(q)) {
+        *o = a.minus(b)?;
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Alphabet, Quantity};
+    use super::*;
+
+    #[test]
+    fn composition_then_application_is_application_twice() {
+        let mut alphabet = Alphabet::default();
+        let mut symbol = |name: &str| Poly::error(alphabet.error(name, Quantity::Angle).unwrap());
+        let mut vector = |n: &str| ["x", "y", "z"].map(|c| symbol(&format!("{n}{c}")));
+        let order = Order::new(3).unwrap();
+        let (a, b) = (Transform::small(vector("a"), vector("t")), Transform::small(vector("b"), vector("u")));
+        let point = vector("p");
+        let once = a.compose(&b, order).unwrap().apply(&point, order).unwrap();
+        let twice = a.apply(&b.apply(&point, order).unwrap(), order).unwrap();
+        assert_eq!(once, twice);
+        assert_eq!(Transform::identity().compose(&a, order).unwrap(), a);
+        assert_ne!(a.compose(&b, order).unwrap(), b.compose(&a, order).unwrap());
+    }
+}

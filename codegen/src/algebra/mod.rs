@@ -1,0 +1,52 @@
+//! Exact algebra: sparse polynomials with rational coefficients, truncated in the errors while they multiply.
+//!
+//! After this room every expression is exact or an [`AlgebraError`]; no floating-point number and no wrong
+//! digit can leave it. It knows symbols, not machines: what a symbol means is decided in `kinematics`.
+
+mod alphabet;
+mod fraction;
+mod gcd;
+mod matrix;
+mod monomial;
+mod poly;
+mod rational;
+
+pub use alphabet::{Alphabet, ErrorId, Nominal, NominalId, Quantity, SweepId};
+pub use fraction::Fraction;
+pub use matrix::{Transform, Vector};
+pub use monomial::{MAX_ERROR_ORDER, MAX_NOMINALS, Monomial, Powers};
+pub use poly::{Order, Poly, Term};
+pub use rational::{Rational, integer, to_f64};
+
+/// Why an exact computation could not be carried out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlgebraError {
+    /// A rational coefficient left the range of 126-bit numerators and denominators.
+    CoefficientOverflow,
+    /// The exponent of a nominal symbol left −127…127.
+    ExponentOverflow,
+    /// A divisor was zero.
+    DivisionByZero,
+    /// More nominal symbols (constants, sweeps, their sines and cosines) than a monomial holds.
+    TooManyNominals,
+    /// More error symbols than identifiers.
+    TooManyErrors,
+    /// A truncation order above [`MAX_ERROR_ORDER`].
+    OrderTooHigh,
+}
+
+impl core::fmt::Display for AlgebraError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let text = match self {
+            Self::CoefficientOverflow => "a coefficient no longer fits 126 bits; the derivation stops rather than round",
+            Self::ExponentOverflow => "an exponent left -127..127",
+            Self::DivisionByZero => "division by zero",
+            Self::TooManyNominals => "more than 16 constants, sweeps, sines and cosines in one model",
+            Self::TooManyErrors => "more than 65535 error symbols in one model",
+            Self::OrderTooHigh => "the order in the errors is above 8",
+        };
+        f.write_str(text)
+    }
+}
+
+impl core::error::Error for AlgebraError {}
