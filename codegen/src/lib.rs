@@ -1,3 +1,8 @@
 //! Exact derivation of machine-tool measurement models, and printers for them.
 
 pub mod algebra;
+pub mod basis;
+pub mod kinematics;
+pub mod measurement;
+pub mod model;
+pub mod identify;

@@ -11,23 +11,24 @@ use super::{AlgebraError, Alphabet, Monomial, Order, Poly};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fraction {
     numerator: Poly,
-    denominator: Poly,
+    /// Several terms, or none for 1.
+    denominator: Option<Poly>,
 }
 
 impl Fraction {
     /// 0
     pub fn zero() -> Self {
-        Self { numerator: Poly::ZERO, denominator: Poly::one() }
+        Self::whole(Poly::ZERO)
     }
 
     /// 1
     pub fn one() -> Self {
-        Self { numerator: Poly::one(), denominator: Poly::one() }
+        Self::whole(Poly::one())
     }
 
     /// A polynomial in constants.
     pub fn whole(numerator: Poly) -> Self {
-        Self { numerator, denominator: Poly::one() }
+        Self { numerator, denominator: None }
     }
 
     /// The numerator.
@@ -35,14 +36,14 @@ impl Fraction {
         &self.numerator
     }
 
-    /// The denominator: 1, or a polynomial of several terms.
-    pub fn denominator(&self) -> &Poly {
-        &self.denominator
+    /// The denominator: a polynomial of several terms, or `None` for 1.
+    pub fn denominator(&self) -> Option<&Poly> {
+        self.denominator.as_ref()
     }
 
     /// The polynomial, where the denominator is 1.
     pub fn as_poly(&self) -> Option<&Poly> {
-        (self.denominator.as_number()? == rational::integer(1)).then_some(&self.numerator)
+        self.denominator.is_none().then_some(&self.numerator)
     }
 
     /// True for 0.
@@ -84,7 +85,7 @@ impl Fraction {
             }
             [.., (_, lead)] => {
                 let inverse = rational::recip(lead)?;
-                Ok(Self { numerator: numerator.scaled(&inverse)?, denominator: denominator.scaled(&inverse)? })
+                Ok(Self { numerator: numerator.scaled(&inverse)?, denominator: Some(denominator.scaled(&inverse)?) })
             }
         }
     }
@@ -100,9 +101,10 @@ impl Fraction {
             return Ok(Self::zero());
         }
         let numerator = self.numerator.times(&other.numerator, Order::NOMINAL)?;
-        match (self.as_poly(), other.as_poly()) {
-            (Some(_), Some(_)) => Ok(Self::whole(numerator.normal(alphabet)?)),
-            _ => Self::new(numerator, self.denominator.times(&other.denominator, Order::NOMINAL)?, alphabet),
+        match (&self.denominator, &other.denominator) {
+            (None, None) => Ok(Self::whole(numerator.normal(alphabet)?)),
+            (Some(d), None) | (None, Some(d)) => Self::new(numerator, d.clone(), alphabet),
+            (Some(d), Some(e)) => Self::new(numerator, d.times(e, Order::NOMINAL)?, alphabet),
         }
     }
 
@@ -112,14 +114,15 @@ impl Fraction {
         if let (Some(p), Some(q)) = (self.as_poly(), product.as_poly()) {
             return Ok(Self::whole(p.minus(q)?));
         }
-        let cross = |x: &Self, y: &Self| x.numerator.times(&y.denominator, Order::NOMINAL);
+        let below = |x: &Self| x.denominator.clone().unwrap_or_else(Poly::one);
+        let cross = |x: &Self, y: &Self| x.numerator.times(&below(y), Order::NOMINAL);
         let numerator = cross(self, &product)?.minus(&cross(&product, self)?)?;
-        Self::new(numerator, self.denominator.times(&product.denominator, Order::NOMINAL)?, alphabet)
+        Self::new(numerator, below(self).times(&below(&product), Order::NOMINAL)?, alphabet)
     }
 
     /// `1 / self`
     pub fn recip(&self, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
-        Self::new(self.denominator.clone(), self.numerator.clone(), alphabet)
+        Self::new(self.denominator.clone().unwrap_or_else(Poly::one), self.numerator.clone(), alphabet)
     }
 }
 

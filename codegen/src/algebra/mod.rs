@@ -4,6 +4,7 @@
 //! digit can leave it. It knows symbols, not machines: what a symbol means is decided in `kinematics`.
 
 mod alphabet;
+mod elimination;
 mod fraction;
 mod gcd;
 mod matrix;
@@ -12,8 +13,10 @@ mod poly;
 mod rational;
 
 pub use alphabet::{Alphabet, ErrorId, Nominal, NominalId, Quantity, SweepId};
+pub use elimination::{Reduced, reduce, subtract};
 pub use fraction::Fraction;
 pub use matrix::{Transform, Vector};
+pub(crate) use matrix::{difference, dot};
 pub use monomial::{MAX_ERROR_ORDER, MAX_NOMINALS, Monomial, Powers};
 pub use poly::{Order, Poly, Term};
 pub use rational::{Rational, integer, to_f64};

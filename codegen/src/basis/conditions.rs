@@ -1,0 +1,172 @@
+//! All polynomials up to a degree that satisfy linear conditions, exactly: eq. (10) from its conditions.
+
+use super::Univariate;
+use crate::algebra::{AlgebraError, Alphabet, Fraction, Order, Poly, Rational, reduce};
+
+/// A homogeneous linear condition `Σ factor · f⁽ⁿ⁾(point) = 0`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Condition {
+    /// Order of the derivative, the point, the factor.
+    pub terms: Vec<(u32, Poly, Poly)>,
+}
+
+/// Why there is no basis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoBasis {
+    /// Only f = 0 satisfies the conditions at this degree.
+    OnlyZero,
+    /// A coefficient would be a quotient that is no polynomial in the constants.
+    NotPolynomial,
+    /// An exact computation failed.
+    Algebra(AlgebraError),
+}
+
+impl From<AlgebraError> for NoBasis {
+    fn from(e: AlgebraError) -> Self {
+        Self::Algebra(e)
+    }
+}
+
+/// A basis of the polynomials of degree ≤ `degree` that satisfy `conditions`, highest degree first.
+///
+/// Zeros that the conditions imply are divided out, `f = Π(x − zᵢ) · g`, and the rest is solved for g with its highest
+/// coefficients free: so each basis function is monic, shows its zeros, and the choice does not depend on how the
+/// conditions were written. For f(0) = 0, f(2π) = f(0), f′(2π) = f′(0) and degree 4 this gives
+/// `x(x − 2π)(x² − 2π²)` and `x(x − 2π)(x − π)`, which is eq. (10).
+pub fn satisfying(degree: u8, conditions: &[Condition], alphabet: &Alphabet) -> Result<Vec<Univariate>, NoBasis> {
+    let (zeros, rest) = split_zeros(conditions, alphabet)?;
+    let mut factor = Univariate(vec![Poly::one()]);
+    for zero in &zeros {
+        factor = times(&factor, &Univariate(vec![zero.negated(), Poly::one()]))?;
+    }
+    let unknowns = (usize::from(degree) + 1).checked_sub(zeros.len()).ok_or(NoBasis::OnlyZero)?;
+    let candidates = (0..unknowns).map(|n| times(&factor, &Univariate::power(n))).collect::<Result<Vec<_>, _>>()?;
+    let mut rows = Vec::new();
+    for condition in &rest {
+        let apply = |f: &Univariate| Ok(Fraction::whole(value(condition, f)?.normal(alphabet)?));
+        rows.push(candidates.iter().map(apply).collect::<Result<Vec<_>, AlgebraError>>()?);
+    }
+    let order: Vec<usize> = (0..unknowns).collect();
+    let kernel = reduce(rows, &order, alphabet)?.kernel(0..unknowns, unknowns);
+    let mut basis = Vec::new();
+    for (_, g) in kernel.iter().rev() {
+        let mut f = Univariate(Vec::new());
+        for (coefficient, candidate) in g.iter().zip(&candidates) {
+            let coefficient = coefficient.as_poly().ok_or(NoBasis::NotPolynomial)?;
+            f = plus(&f, &times(&Univariate(vec![coefficient.clone()]), candidate)?)?;
+        }
+        let mut coefficients = f.0.iter().map(|c| c.normal(alphabet)).collect::<Result<Vec<_>, _>>()?;
+        let length = coefficients.iter().rposition(|c| !c.is_zero()).map_or(0, |n| n + 1);
+        coefficients.truncate(length);
+        basis.push(Univariate(coefficients));
+    }
+    if basis.is_empty() { Err(NoBasis::OnlyZero) } else { Ok(basis) }
+}
+
+/// The points where the conditions make f vanish, and conditions equivalent to the others.
+fn split_zeros(conditions: &[Condition], alphabet: &Alphabet) -> Result<(Vec<Poly>, Vec<Condition>), NoBasis> {
+    let mut functionals: Vec<(u32, Poly)> = Vec::new();
+    for (n, point, _) in conditions.iter().flat_map(|c| &c.terms) {
+        let functional = (*n, point.normal(alphabet)?);
+        if !functionals.contains(&functional) {
+            functionals.push(functional);
+        }
+    }
+    let mut rows = Vec::new();
+    for condition in conditions {
+        let mut row = vec![Poly::ZERO; functionals.len()];
+        for (n, point, factor) in &condition.terms {
+            let functional = (*n, point.normal(alphabet)?);
+            for (entry, _) in row.iter_mut().zip(&functionals).filter(|(_, f)| **f == functional) {
+                *entry = entry.plus(factor)?;
+            }
+        }
+        rows.push(row.into_iter().map(|p| p.normal(alphabet).map(Fraction::whole)).collect::<Result<_, _>>()?);
+    }
+    let order: Vec<usize> = (0..functionals.len()).collect();
+    let (mut zeros, mut rest) = (Vec::new(), Vec::new());
+    for (pivot, row) in reduce(rows, &order, alphabet)?.rows {
+        let single = row.iter().filter(|f| !f.is_zero()).count() == 1;
+        if single && functionals[pivot].0 == 0 {
+            zeros.push(functionals[pivot].1.clone());
+        } else {
+            let present = row.iter().zip(&functionals).filter(|(f, _)| !f.is_zero());
+            let term = |(factor, (n, point)): (&Fraction, &(u32, Poly))| {
+                Ok((*n, point.clone(), factor.as_poly().ok_or(NoBasis::NotPolynomial)?.clone()))
+            };
+            rest.push(Condition { terms: present.map(term).collect::<Result<_, NoBasis>>()? });
+        }
+    }
+    Ok((zeros, rest))
+}
+
+fn value(condition: &Condition, f: &Univariate) -> Result<Poly, AlgebraError> {
+    let mut sum = Poly::ZERO;
+    for (n, point, factor) in &condition.terms {
+        sum = sum.plus(&derivative(f, *n)?.at(point)?.times(factor, Order::NOMINAL)?)?;
+    }
+    Ok(sum)
+}
+
+fn derivative(f: &Univariate, n: u32) -> Result<Univariate, AlgebraError> {
+    (0..n).try_fold(f.clone(), |f, _| {
+        let lowered = f.0.iter().enumerate().skip(1).map(|(k, c)| c.scaled(&Rational::from(k as i128)));
+        Ok(Univariate(lowered.collect::<Result<_, _>>()?))
+    })
+}
+
+fn times(f: &Univariate, g: &Univariate) -> Result<Univariate, AlgebraError> {
+    let mut product = vec![Poly::ZERO; (f.0.len() + g.0.len()).saturating_sub(1)];
+    for (i, a) in f.0.iter().enumerate() {
+        for (j, b) in g.0.iter().enumerate() {
+            product[i + j] = product[i + j].plus(&a.times(b, Order::NOMINAL)?)?;
+        }
+    }
+    Ok(Univariate(product))
+}
+
+fn plus(f: &Univariate, g: &Univariate) -> Result<Univariate, AlgebraError> {
+    let zero = Poly::ZERO;
+    let coefficient = |n: usize| f.0.get(n).unwrap_or(&zero).plus(g.0.get(n).unwrap_or(&zero));
+    (0..f.0.len().max(g.0.len())).map(coefficient).collect::<Result<_, _>>().map(Univariate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(n: u32, turns: i128, factor: i128) -> (u32, Poly, Poly) {
+        (n, Poly::nominal(Alphabet::PI).scaled(&Rational::from(2 * turns)).unwrap(), Poly::integer(factor))
+    }
+
+    fn periodic() -> Vec<Condition> {
+        [vec![at(0, 0, 1)], vec![at(0, 1, 1), at(0, 0, -1)], vec![at(1, 1, 1), at(1, 0, -1)]].map(|terms| Condition { terms }).into()
+    }
+
+    fn pi(power: u32, factor: i128) -> Poly {
+        Poly::nominal(Alphabet::PI).power(power, Order::NOMINAL).unwrap().scaled(&Rational::from(factor)).unwrap()
+    }
+
+    #[test]
+    fn equation_10_comes_out_of_its_conditions() {
+        let basis = satisfying(4, &periodic(), &Alphabet::default()).unwrap();
+        let f1 = Univariate(vec![Poly::ZERO, pi(3, 4), pi(2, -2), pi(1, -2), Poly::one()]);
+        let f2 = Univariate(vec![Poly::ZERO, pi(2, 2), pi(1, -3), Poly::one()]);
+        assert_eq!(basis, [f1, f2]);
+    }
+
+    #[test]
+    fn the_way_conditions_are_written_does_not_matter() {
+        let mut written = periodic();
+        written[1] = Condition { terms: vec![at(0, 1, 3)] };
+        written.reverse();
+        let alphabet = Alphabet::default();
+        assert_eq!(satisfying(5, &written, &alphabet), satisfying(5, &periodic(), &alphabet));
+    }
+
+    #[test]
+    fn too_many_conditions_leave_only_zero() {
+        assert_eq!(satisfying(2, &periodic(), &Alphabet::default()), Err(NoBasis::OnlyZero));
+        assert_eq!(satisfying(0, &periodic(), &Alphabet::default()), Err(NoBasis::OnlyZero));
+    }
+}

@@ -1,0 +1,89 @@
+//! Chains of 4×4 transforms in the paper's order.
+//!
+//! Rotary axis, eq. (1): `OM · SM · EM · AM`, the errors stand before the motion. Linear axis, eq. (2):
+//! `SM · TM · EM`, they follow it. OM and SM are one matrix here: `OM · SM` is SM with OM's translation.
+
+use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, Transform, Vector};
+use crate::model::{Axis, AxisKind, Ball, Coordinate, Model, Run};
+
+/// The workpiece ball and the tool ball in machine coordinates, eqs. (3) and (8), mm.
+pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[Vector; 2], AlgebraError> {
+    let (workpiece, tool) = run.at.split_at(model.workpiece.len());
+    Ok([
+        position(&model.workpiece, workpiece, &run.workpiece_ball, &model.alphabet, order)?,
+        position(&model.tool, tool, &run.tool_ball, &model.alphabet, order)?,
+    ])
+}
+
+/// Carries the ball from the last axis' frame to the machine's, matrix times vector: nothing but points is expanded.
+fn position(axes: &[Axis], at: &[Coordinate], ball: &Ball, alphabet: &Alphabet, order: Order) -> Result<Vector, AlgebraError> {
+    let mut point = ball.at.clone();
+    if let Some(setup) = ball.setup {
+        for (coordinate, error) in point.iter_mut().zip(setup) {
+            *coordinate = coordinate.plus(&Poly::error(error))?;
+        }
+    }
+    for (axis, coordinate) in axes.iter().zip(at).rev() {
+        for transform in transforms(axis, coordinate, alphabet)?.iter().rev() {
+            point = transform.apply(&point, order)?;
+        }
+        for p in &mut point {
+            *p = p.normal(alphabet)?;
+        }
+    }
+    Ok(point)
+}
+
+/// The axis' factors, leftmost first.
+fn transforms(axis: &Axis, coordinate: &Coordinate, alphabet: &Alphabet) -> Result<Vec<Transform>, AlgebraError> {
+    let nominal = match coordinate {
+        Coordinate::Rest => return Ok(Vec::new()),
+        Coordinate::Linear(travel) => Transform::translation(along(&axis.direction, travel)?),
+        Coordinate::Rotary(angle) => {
+            let (sin, cos) = angle.sin_cos(alphabet)?;
+            rotation(&axis.direction, &sin, &cos, alphabet)?
+        }
+    };
+    let motion = small(axis.motion.map(Some));
+    let moved = match axis.kind {
+        AxisKind::Rotary => [motion, nominal],
+        AxisKind::Linear => [nominal, motion],
+    };
+    let location = axis.location.iter().any(Option::is_some).then(|| small(axis.location));
+    Ok(location.into_iter().chain(moved).collect())
+}
+
+/// The matrix of six small errors X Y Z A B C.
+fn small(errors: [Option<ErrorId>; 6]) -> Transform {
+    let [x, y, z, a, b, c] = errors.map(|e| e.map(Poly::error).unwrap_or_default());
+    Transform::small([a, b, c], [x, y, z])
+}
+
+fn along(direction: &Vector, travel: &Poly) -> Result<Vector, AlgebraError> {
+    let mut by = Vector::default();
+    for (b, d) in by.iter_mut().zip(direction) {
+        *b = d.times(travel, Order::NOMINAL)?;
+    }
+    Ok(by)
+}
+
+/// Rodrigues' rotation about a unit vector n: `cos·I + sin·[n]× + (1 − cos)·n nᵀ`.
+fn rotation(n: &Vector, sin: &Poly, cos: &Poly, alphabet: &Alphabet) -> Result<Transform, AlgebraError> {
+    let times = |a: &Poly, b: &Poly| a.times(b, Order::NOMINAL);
+    let versine = Poly::one().minus(cos)?;
+    let mut rows: [[Poly; 3]; 3] = Default::default();
+    for (i, row) in rows.iter_mut().enumerate() {
+        for (j, entry) in row.iter_mut().enumerate() {
+            let mut value = times(&versine, &times(&n[i], &n[j])?)?;
+            if i == j {
+                value = value.plus(cos)?;
+            } else {
+                let (k, positive) = (3 - i - j, (i + 1) % 3 != j);
+                let turn = times(sin, &n[k])?;
+                value = if positive { value.plus(&turn)? } else { value.minus(&turn)? };
+            }
+            *entry = value.normal(alphabet)?;
+        }
+    }
+    Ok(Transform::new(rows, Vector::default()))
+}

@@ -1,0 +1,9 @@
+//! From a description to the two balls: the chains of eqs. (1)–(3).
+//!
+//! After this room there are points in space, exact to the chosen order in the errors.
+
+mod chain;
+mod exact;
+
+pub use chain::ball_positions;
+pub use exact::{ErrorValues, exact_positions};

@@ -1,0 +1,175 @@
+//! The description of a machine and its runs, every symbol resolved: where the derivation starts.
+//!
+//! A [`Model`] is consistent by construction: it comes from [`super::ModelBuilder`], which a model file and the
+//! derive macros use too, and which refuses what the later rooms could not handle.
+
+use super::evaluate::Angle;
+use crate::algebra::{Alphabet, ErrorId, NominalId, Poly, SweepId, Vector};
+use crate::basis::Basis;
+
+/// A machine, the runs that measure it, and what is assumed of its errors.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Catalogue name.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// How errors are called.
+    pub notation: super::Notation,
+    /// All symbols.
+    pub alphabet: Alphabet,
+    /// Axes between the machine's base and the workpiece, from the base outwards.
+    pub workpiece: Vec<Axis>,
+    /// Axes between the machine's base and the tool, from the base outwards.
+    pub tool: Vec<Axis>,
+    /// The runs in the order of their elimination.
+    pub runs: Vec<Run>,
+    /// What is assumed of every motion error: errors without an entry must not appear in a reading.
+    pub functions: Vec<Function>,
+    /// Parameters to be used as pivots first, in this order.
+    pub order: Vec<String>,
+}
+
+impl Model {
+    /// The axes, workpiece side first: the order of [`Run::at`].
+    pub fn axes(&self) -> impl Iterator<Item = &Axis> {
+        self.workpiece.iter().chain(&self.tool)
+    }
+
+    /// The axis of a motion error and which of its six it is.
+    pub fn axis_of(&self, error: ErrorId) -> Option<(usize, Component)> {
+        self.axes().enumerate().find_map(|(i, axis)| {
+            let at = axis.motion.iter().position(|&e| e == error)?;
+            Some((i, Component::ALL[at]))
+        })
+    }
+
+    /// The assumption about a motion error.
+    pub fn function(&self, error: ErrorId) -> Option<&Function> {
+        self.functions.iter().find(|f| f.error == error)
+    }
+}
+
+/// What is assumed of a motion error as a function of its axis' coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// The motion error.
+    pub error: ErrorId,
+    /// Its basis.
+    pub basis: Basis,
+    /// True for a function the runs are made to find: reported with its band, its coefficients keep their own names.
+    pub estimate: bool,
+}
+
+/// The six components of an error, ISO 230-1's order: X Y Z A B C.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Component(u8);
+
+impl Component {
+    /// X Y Z A B C
+    pub const ALL: [Self; 6] = [Self(0), Self(1), Self(2), Self(3), Self(4), Self(5)];
+
+    /// ISO letter: X, Y, Z for displacements, A, B, C for rotations about them.
+    pub fn letter(self) -> char {
+        ['X', 'Y', 'Z', 'A', 'B', 'C'][usize::from(self.0)]
+    }
+
+    /// The component with an ISO letter.
+    pub fn from_letter(letter: char) -> Option<Self> {
+        Self::ALL.into_iter().find(|c| c.letter() == letter)
+    }
+
+    /// Position in X Y Z A B C.
+    pub fn index(self) -> usize {
+        usize::from(self.0)
+    }
+
+    /// True for A, B, C.
+    pub fn is_rotation(self) -> bool {
+        self.0 >= 3
+    }
+
+    /// The direction it acts along or about: x, y or z.
+    pub fn direction(self) -> char {
+        ['x', 'y', 'z'][usize::from(self.0 % 3)]
+    }
+}
+
+/// One axis with its errors.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// Its name on the machine: `A`, `Y`, `C2`.
+    pub name: String,
+    /// Turning or sliding.
+    pub kind: AxisKind,
+    /// Exact unit vector of the positive motion, in machine coordinates.
+    pub direction: Vector,
+    /// Location errors (ISO 230-1 EX0A … EC0A), X Y Z A B C, where the model has them.
+    pub location: [Option<ErrorId>; 6],
+    /// Motion errors (EXA … ECA), X Y Z A B C.
+    pub motion: [ErrorId; 6],
+}
+
+/// Turning or sliding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxisKind {
+    /// Coordinates in rad.
+    Rotary,
+    /// Coordinates in mm.
+    Linear,
+}
+
+/// One measurement: a path and what is read along it.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Its name in files and on the command line.
+    pub name: String,
+    /// The path's parameter.
+    pub sweep: SweepId,
+    /// Coordinate of every axis, in the order of [`Model::axes`].
+    pub at: Vec<Coordinate>,
+    /// The ball on the workpiece side.
+    pub workpiece_ball: Ball,
+    /// The ball on the tool side.
+    pub tool_ball: Ball,
+    /// What is read.
+    pub reading: ReadingKind,
+}
+
+/// Where an axis is along a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Coordinate {
+    /// At its zero position, not moving: its errors are constant and counted with the set-up errors of the ball it carries.
+    Rest,
+    /// A linear axis, mm.
+    Linear(Poly),
+    /// A rotary axis, rad.
+    Rotary(Angle),
+}
+
+impl Coordinate {
+    /// The coordinate as a polynomial in the sweep, its sine and cosine; `None` at rest.
+    pub fn poly(&self) -> Option<&Poly> {
+        match self {
+            Self::Rest => None,
+            Self::Linear(poly) => Some(poly),
+            Self::Rotary(angle) => Some(&angle.poly),
+        }
+    }
+}
+
+/// A ball of the instrument.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Ball {
+    /// Nominal place in the frame of the last axis, mm.
+    pub at: Vector,
+    /// Its set-up errors along x, y, z.
+    pub setup: Option<[ErrorId; 3]>,
+}
+
+/// What an instrument reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReadingKind {
+    /// The radial deviation of a bar whose nominal length is this constant, eq. (4).
+    BarLength(NominalId),
+}

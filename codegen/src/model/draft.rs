@@ -1,0 +1,118 @@
+//! A machine as it was written down: texts with their places, nothing checked yet.
+//!
+//! The model file, the builder and the derive macros all end here; `resolve` turns a draft into a [`super::Model`].
+
+use super::expression::Span;
+use super::{AxisKind, Model, Problem, resolve};
+
+/// A text and where it stands (an empty span where it does not come from a file).
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Text {
+    /// The text.
+    pub value: String,
+    /// Its place in the source, quotes included.
+    pub span: Span,
+}
+
+impl<T: Into<String>> From<T> for Text {
+    fn from(value: T) -> Self {
+        Self { value: value.into(), span: 0..0 }
+    }
+}
+
+/// A whole machine.
+#[derive(Clone, Debug, Default)]
+pub struct Draft {
+    /// Catalogue name.
+    pub name: Text,
+    /// One line for people.
+    pub title: Text,
+    /// `paper` or `iso230`.
+    pub notation: Option<Text>,
+    /// Lengths of the set-up.
+    pub constants: Vec<Text>,
+    /// Axes that carry the workpiece, from the base outwards.
+    pub workpiece: Vec<Text>,
+    /// Axes that carry the tool, from the base outwards.
+    pub tool: Vec<Text>,
+    /// The axes.
+    pub axes: Vec<DraftAxis>,
+    /// Own names for errors: ISO name, name.
+    pub names: Vec<(Text, Text)>,
+    /// The runs, in the order of their elimination.
+    pub runs: Vec<DraftRun>,
+    /// What is assumed of motion errors.
+    pub functions: Vec<DraftFunction>,
+    /// Motion errors the runs are made to find.
+    pub estimate: Vec<Text>,
+    /// Parameters preferred as pivots.
+    pub order: Vec<Text>,
+}
+
+/// One axis.
+#[derive(Clone, Debug)]
+pub struct DraftAxis {
+    /// Its name.
+    pub name: Text,
+    /// Turning or sliding.
+    pub kind: AxisKind,
+    /// `x`, `-z`, or three expressions.
+    pub direction: Vec<Text>,
+    /// ISO names of its location errors.
+    pub location: Vec<Text>,
+}
+
+/// One run.
+#[derive(Clone, Debug, Default)]
+pub struct DraftRun {
+    /// Its name.
+    pub name: Text,
+    /// The parameter of its path.
+    pub sweep: Text,
+    /// Axis and coordinate: an expression or `rest`.
+    pub at: Vec<(Text, Text)>,
+    /// The ball on the workpiece.
+    pub workpiece_ball: DraftBall,
+    /// The ball on the tool.
+    pub tool_ball: DraftBall,
+    /// The bar's length: a constant.
+    pub reading: Text,
+}
+
+/// One ball.
+#[derive(Clone, Debug, Default)]
+pub struct DraftBall {
+    /// Nominal place; empty for the origin.
+    pub at: Vec<Text>,
+    /// Names of its set-up errors; empty for none.
+    pub setup: Vec<Text>,
+}
+
+/// What is assumed of one motion error.
+#[derive(Clone, Debug)]
+pub struct DraftFunction {
+    /// The error's name.
+    pub error: Text,
+    /// Its basis.
+    pub basis: DraftBasis,
+}
+
+/// A basis as written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DraftBasis {
+    /// `"zero"`
+    Zero,
+    /// `"known"`
+    Known,
+    /// `{ polynomial = degree, conditions = […] }`
+    Polynomial(u8, Vec<Text>),
+    /// `{ fourier = harmonics }`
+    Fourier(u8),
+}
+
+impl Draft {
+    /// Checks everything and resolves every symbol; all problems are reported together.
+    pub fn build(&self) -> Result<Model, Vec<Problem>> {
+        resolve::resolve(self)
+    }
+}

@@ -1,0 +1,210 @@
+//! From the text of an expression to exact polynomials: coordinates, angles, points.
+
+use super::expression::{Expr, Node, Operator, Span};
+use crate::algebra::{AlgebraError, Alphabet, Monomial, Nominal, NominalId, Order, Poly, Rational, SweepId};
+
+/// An angle `multiple · sweep + eighths · π/4`: what has an exact sine and cosine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Angle {
+    /// The sweep it turns with and how often; `None` at a fixed angle.
+    pub sweep: Option<(SweepId, i32)>,
+    /// The fixed part in steps of 45°.
+    pub eighths: i32,
+    /// The angle itself as a polynomial in the sweep and π, rad.
+    pub poly: Poly,
+}
+
+/// What is wrong with a well-formed expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    /// A name that is neither a constant of the model nor the run's sweep.
+    UnknownName(String),
+    /// A function other than `sin`, `cos`, `sqrt`.
+    UnknownFunction(String),
+    /// The argument of `sin` or `cos`, or a rotary axis' coordinate, that is not `n*sweep + k*pi/4`.
+    NotAnAngle,
+    /// A divisor with more than one term.
+    Divisor,
+    /// An exponent that is not a whole number from 0 to 20.
+    Exponent,
+    /// A square root other than of 2·n² or n².
+    Root,
+    /// An exact computation failed.
+    Algebra(AlgebraError),
+}
+
+/// What is wrong, and where in the expression.
+pub type EvaluationError = (Span, Meaning);
+
+/// The names an expression may use.
+#[derive(Clone, Copy)]
+pub struct Scope<'a> {
+    /// The model's symbols.
+    pub alphabet: &'a Alphabet,
+    /// The sweep in force.
+    pub sweep: Option<SweepId>,
+}
+
+impl Scope<'_> {
+    /// Value of an expression.
+    pub fn poly(&self, e: &Expr) -> Result<Poly, EvaluationError> {
+        let exact = |r: Result<Poly, AlgebraError>| r.map_err(|a| (e.span.clone(), Meaning::Algebra(a)));
+        let fail = |m: Meaning| Err((e.span.clone(), m));
+        match &e.node {
+            Node::Number(n, d) => Ok(Poly::constant(Rational::new(*n, *d))),
+            Node::Name(name) => self.name(name).ok_or_else(|| (e.span.clone(), Meaning::UnknownName(name.clone()))),
+            Node::Negative(x) => Ok(self.poly(x)?.negated()),
+            Node::Binary(Operator::Power, x, n) => match self.poly(n)?.as_number() {
+                Some(n) if n.is_integer() && (0..=20).contains(n.numer()) => exact(self.poly(x)?.power(*n.numer() as u32, Order::NOMINAL)),
+                _ => Err((n.span.clone(), Meaning::Exponent)),
+            },
+            Node::Binary(operator, x, y) => {
+                let (x, divisor, y) = (self.poly(x)?, &y.span, self.poly(y)?);
+                match operator {
+                    Operator::Plus => exact(x.plus(&y)),
+                    Operator::Minus => exact(x.minus(&y)),
+                    Operator::Over => match y.terms() {
+                        [] => Err((divisor.clone(), Meaning::Algebra(AlgebraError::DivisionByZero))),
+                        [(m, c)] => exact(m.recip().and_then(|m| x.times(&Poly::term(m, c.recip()), Order::NOMINAL))),
+                        _ => Err((divisor.clone(), Meaning::Divisor)),
+                    },
+                    _ => exact(x.times(&y, Order::NOMINAL)),
+                }
+            }
+            Node::Call(name, 0, argument) => match name.as_str() {
+                "sin" | "cos" => {
+                    let (sin, cos) = self.angle(argument)?.sin_cos(self.alphabet).map_err(|a| (e.span.clone(), Meaning::Algebra(a)))?;
+                    Ok(if name == "sin" { sin } else { cos })
+                }
+                "sqrt" => match self.poly(argument)?.as_number().and_then(root) {
+                    Some(root) => Ok(root),
+                    None => Err((argument.span.clone(), Meaning::Root)),
+                },
+                _ => fail(Meaning::UnknownFunction(name.clone())),
+            },
+            Node::Call(name, ..) => fail(Meaning::UnknownFunction(name.clone())),
+        }
+    }
+
+    /// Value of an expression as an angle with exact sine and cosine.
+    pub fn angle(&self, e: &Expr) -> Result<Angle, EvaluationError> {
+        let poly = self.poly(e)?;
+        self.as_angle(poly).ok_or_else(|| (e.span.clone(), Meaning::NotAnAngle))
+    }
+
+    fn name(&self, name: &str) -> Option<Poly> {
+        let sweep = self.sweep.filter(|&s| self.alphabet.sweep_name(s) == name);
+        let id = match sweep {
+            Some(sweep) => self.alphabet.sweep_symbols(sweep)[0],
+            None if name == "pi" => Alphabet::PI,
+            None => self.alphabet.find_constant(name)?,
+        };
+        Some(Poly::nominal(id))
+    }
+
+    fn as_angle(&self, poly: Poly) -> Option<Angle> {
+        let mut angle = Angle { sweep: None, eighths: 0, poly: Poly::ZERO };
+        let whole = |c: Rational| c.is_integer().then(|| i32::try_from(*c.numer()).ok()).flatten().filter(|n| n.abs() <= 64);
+        for (m, c) in poly.terms() {
+            if *m == Monomial::nominal(Alphabet::PI, 1) {
+                angle.eighths = whole(c * Rational::from(4))?;
+            } else {
+                let sweep = self.sweep.filter(|&s| *m == Monomial::nominal(self.alphabet.sweep_symbols(s)[0], 1))?;
+                angle.sweep = Some((sweep, whole(*c)?));
+            }
+        }
+        Some(Angle { poly, ..angle })
+    }
+}
+
+/// √(n/d) as a rational or a rational times √2.
+fn root(square: Rational) -> Option<Poly> {
+    let perfect = |n: i128| (n >= 0).then(|| n.unsigned_abs().isqrt() as i128).filter(|r| r * r == n);
+    let rational = |r: Rational| Some(Rational::new(perfect(*r.numer())?, perfect(*r.denom())?));
+    match rational(square) {
+        Some(r) => Some(Poly::constant(r)),
+        None => rational(square / Rational::from(2)).map(|r| Poly::term(Monomial::nominal(Alphabet::ROOT2, 1), r)),
+    }
+}
+
+impl Angle {
+    /// The angle 0.
+    pub fn zero() -> Self {
+        Self { sweep: None, eighths: 0, poly: Poly::ZERO }
+    }
+
+    /// Sine and cosine as polynomials in the sweep's sine and cosine, in normal form (Chebyshev's, by repeated rotation).
+    pub fn sin_cos(&self, alphabet: &Alphabet) -> Result<(Poly, Poly), AlgebraError> {
+        let half_root = Poly::term(Monomial::nominal(Alphabet::ROOT2, 1), Rational::new(1, 2));
+        let eighth = (half_root.clone(), half_root);
+        let mut turned = rotate_times((Poly::ZERO, Poly::one()), &eighth, self.eighths.rem_euclid(8), alphabet)?;
+        if let Some((sweep, multiple)) = self.sweep {
+            let [_, sin, cos] = alphabet.sweep_symbols(sweep);
+            let sin = if multiple < 0 { Poly::nominal(sin).negated() } else { Poly::nominal(sin) };
+            turned = rotate_times(turned, &(sin, Poly::nominal(cos)), multiple.abs(), alphabet)?;
+        }
+        Ok(turned)
+    }
+
+    /// The same angle `n` times over.
+    pub fn times(&self, n: i32) -> Result<Self, AlgebraError> {
+        let sweep = self.sweep.map(|(s, m)| (s, m * n));
+        Ok(Self { sweep, eighths: self.eighths * n, poly: self.poly.scaled(&Rational::from(i128::from(n)))? })
+    }
+}
+
+/// Adds the angle of `step` to that of `(sin, cos)`, `count` times.
+fn rotate_times(start: (Poly, Poly), step: &(Poly, Poly), count: i32, alphabet: &Alphabet) -> Result<(Poly, Poly), AlgebraError> {
+    let times = |a: &Poly, b: &Poly| a.times(b, Order::NOMINAL);
+    (0..count).try_fold(start, |(s, c), _| {
+        let sin = times(&s, &step.1)?.plus(&times(&c, &step.0)?)?.normal(alphabet)?;
+        let cos = times(&c, &step.1)?.minus(&times(&s, &step.0)?)?.normal(alphabet)?;
+        Ok((sin, cos))
+    })
+}
+
+/// Value of a polynomial along a path: the sweep's value in rad, the constants in mm.
+pub fn at(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
+    poly.evaluate(|id| nominal_value(id, alphabet, sweep, &constant), |_| 0.0)
+}
+
+/// Value of a nominal symbol along a path.
+pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
+    match alphabet.nominal(id) {
+        Nominal::Pi => core::f64::consts::PI,
+        Nominal::Root2 => core::f64::consts::SQRT_2,
+        Nominal::Constant(name) => constant(name),
+        Nominal::Sweep(_) => sweep,
+        Nominal::Sin(_) => sweep.sin(),
+        Nominal::Cos(_) => sweep.cos(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::expression::parse;
+    use super::*;
+
+    #[test]
+    fn multiples_and_45_degrees_are_exact() {
+        let mut alphabet = Alphabet::default();
+        alphabet.constant("R").unwrap();
+        let sweep = alphabet.sweep("a").unwrap();
+        let scope = Scope { alphabet: &alphabet, sweep: Some(sweep) };
+        let value = |text: &str| scope.poly(&parse(text).unwrap());
+        for (text, expected) in [
+            ("sin(3*a - pi/4)", f64::sin(3.0 * 0.7 - core::f64::consts::FRAC_PI_4)),
+            ("cos(-2*a + 5*pi/4)*R/2", f64::cos(-1.4 + 5.0 * core::f64::consts::FRAC_PI_4) * 50.0),
+            ("sqrt(1/2) + sqrt(9/4) - 0.25**2", 0.5f64.sqrt() + 1.5 - 0.0625),
+            ("a*R", 70.0),
+        ] {
+            let got = at(&value(text).unwrap(), &alphabet, 0.7, |_| 100.0);
+            assert!((got - expected).abs() < 1e-12, "{text}: {got} {expected}");
+        }
+        assert_eq!(value("sin(a/2)").unwrap_err(), (4..7, Meaning::NotAnAngle));
+        assert_eq!(value("R/(1+R)").unwrap_err().1, Meaning::Divisor);
+        assert_eq!(value("R**a").unwrap_err().1, Meaning::Exponent);
+        assert_eq!(value("q").unwrap_err(), (0..1, Meaning::UnknownName("q".into())));
+        assert_eq!(value("R/0").unwrap_err().1, Meaning::Algebra(AlgebraError::DivisionByZero));
+    }
+}

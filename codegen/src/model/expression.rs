@@ -1,0 +1,255 @@
+//! Expressions of model files: `R*cos(a)`, `2*pi`, `f'(2*pi)`.
+
+use core::ops::Range;
+
+/// A position in the source text, in bytes.
+pub type Span = Range<usize>;
+
+/// An expression with its place in the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expr {
+    /// What it is.
+    pub node: Node,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The forms an expression takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Node {
+    /// A decimal number as an exact fraction.
+    Number(i128, i128),
+    /// A constant, the sweep, or `pi`.
+    Name(String),
+    /// −x
+    Negative(Box<Expr>),
+    /// x + y, x − y, x·y, x / y, x ^ y
+    Binary(Operator, Box<Expr>, Box<Expr>),
+    /// `sin(x)`, `f(x)`, `f'(x)`: the name, the number of primes, the argument.
+    Call(String, u32, Box<Expr>),
+}
+
+/// The binary operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// `+`
+    Plus,
+    /// `-`
+    Minus,
+    /// `*`
+    Times,
+    /// `/`
+    Over,
+    /// `**` or `^`
+    Power,
+}
+
+/// Where and why a text is no expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SyntaxError {
+    /// The offending place.
+    pub span: Span,
+    /// What would have been right there.
+    pub expected: Expected,
+}
+
+/// What the parser was looking for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expected {
+    /// A number, a name, a function call or a parenthesis.
+    Operand,
+    /// An operator or the end.
+    Operator,
+    /// `)`
+    Closing,
+    /// A number of at most 30 digits.
+    ShorterNumber,
+    /// Parentheses less than 100 deep.
+    ShallowerNesting,
+    /// Exactly one `=`.
+    Equation,
+}
+
+/// Parses a whole text.
+pub fn parse(text: &str) -> Result<Expr, SyntaxError> {
+    let mut parser = Parser { text, at: 0, depth: 0 };
+    let expr = parser.sum()?;
+    parser.blanks();
+    if parser.at < text.len() { Err(parser.error(Expected::Operator)) } else { Ok(expr) }
+}
+
+/// Parses `left = right`; spans count from the start of the text.
+pub fn parse_equation(text: &str) -> Result<(Expr, Expr), SyntaxError> {
+    let equals: Vec<usize> = text.match_indices('=').map(|(i, _)| i).collect();
+    let [at] = equals.as_slice() else {
+        return Err(SyntaxError { span: 0..text.len(), expected: Expected::Equation });
+    };
+    let right = parse(&text[at + 1..]).map_err(|e| SyntaxError { span: shift(e.span, at + 1), ..e })?;
+    Ok((parse(&text[..*at])?, right))
+}
+
+fn shift(span: Span, by: usize) -> Span {
+    span.start + by..span.end + by
+}
+
+/// Recursive descent: sum → product → signed → power → operand.
+struct Parser<'a> {
+    text: &'a str,
+    at: usize,
+    depth: u32,
+}
+
+impl Parser<'_> {
+    fn blanks(&mut self) {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+    }
+
+    fn error(&self, expected: Expected) -> SyntaxError {
+        let width = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
+        SyntaxError { span: self.at..self.at + width, expected }
+    }
+
+    fn take(&mut self, token: &str) -> bool {
+        self.blanks();
+        let found = self.text[self.at..].starts_with(token);
+        if found {
+            self.at += token.len();
+        }
+        found
+    }
+
+    fn take_while(&mut self, keep: impl Fn(char) -> bool) -> &str {
+        let rest = &self.text[self.at..];
+        let length = rest.find(|c| !keep(c)).unwrap_or(rest.len());
+        self.at += length;
+        &rest[..length]
+    }
+
+    fn sum(&mut self) -> Result<Expr, SyntaxError> {
+        let mut left = self.product()?;
+        loop {
+            let operator = match () {
+                () if self.take("+") => Operator::Plus,
+                () if self.take("-") => Operator::Minus,
+                () => return Ok(left),
+            };
+            left = binary(operator, left, self.product()?);
+        }
+    }
+
+    fn product(&mut self) -> Result<Expr, SyntaxError> {
+        let mut left = self.signed()?;
+        loop {
+            let operator = match () {
+                () if self.take("*") => Operator::Times,
+                () if self.take("/") => Operator::Over,
+                () => return Ok(left),
+            };
+            left = binary(operator, left, self.signed()?);
+        }
+    }
+
+    fn signed(&mut self) -> Result<Expr, SyntaxError> {
+        self.depth += 1;
+        if self.depth > 100 {
+            return Err(self.error(Expected::ShallowerNesting));
+        }
+        self.blanks();
+        let start = self.at;
+        let expr = if self.take("-") {
+            let inner = self.signed()?;
+            let span = start..inner.span.end;
+            Ok(Expr { node: Node::Negative(Box::new(inner)), span })
+        } else {
+            self.power()
+        };
+        self.depth -= 1;
+        expr
+    }
+
+    fn power(&mut self) -> Result<Expr, SyntaxError> {
+        let base = self.operand()?;
+        if self.take("**") || self.take("^") {
+            let exponent = self.signed()?;
+            return Ok(binary(Operator::Power, base, exponent));
+        }
+        Ok(base)
+    }
+
+    fn operand(&mut self) -> Result<Expr, SyntaxError> {
+        self.blanks();
+        let start = self.at;
+        if self.take("(") {
+            let inner = self.sum()?;
+            return if self.take(")") { Ok(Expr { span: start..self.at, ..inner }) } else { Err(self.error(Expected::Closing)) };
+        }
+        match self.text[start..].chars().next() {
+            Some(c) if c.is_ascii_digit() || c == '.' => self.number(start),
+            Some(c) if c.is_alphabetic() || c == '_' => self.name(start),
+            _ => Err(self.error(Expected::Operand)),
+        }
+    }
+
+    fn number(&mut self, start: usize) -> Result<Expr, SyntaxError> {
+        let whole = self.take_while(|c| c.is_ascii_digit()).to_owned();
+        let point = self.text[self.at..].starts_with('.');
+        self.at += usize::from(point);
+        let decimals = if point { self.take_while(|c| c.is_ascii_digit()).to_owned() } else { String::new() };
+        let digits = format!("{whole}{decimals}");
+        let span = start..self.at;
+        if digits.is_empty() {
+            return Err(SyntaxError { span, expected: Expected::Operand });
+        }
+        match digits.parse() {
+            Ok(n) if digits.len() <= 30 => Ok(Expr { node: Node::Number(n, 10i128.pow(decimals.len() as u32)), span }),
+            _ => Err(SyntaxError { span, expected: Expected::ShorterNumber }),
+        }
+    }
+
+    fn name(&mut self, start: usize) -> Result<Expr, SyntaxError> {
+        let name = self.take_while(|c| c.is_alphanumeric() || c == '_').to_owned();
+        let primes = self.take_while(|c| c == '\'').len() as u32;
+        if !self.take("(") {
+            let node = if primes == 0 { Node::Name(name) } else { return Err(self.error(Expected::Operand)) };
+            return Ok(Expr { node, span: start..start + self.text[start..].find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(self.text.len() - start) });
+        }
+        let argument = self.sum()?;
+        if self.take(")") {
+            Ok(Expr { node: Node::Call(name, primes, Box::new(argument)), span: start..self.at })
+        } else {
+            Err(self.error(Expected::Closing))
+        }
+    }
+}
+
+fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
+    let span = left.span.start..right.span.end;
+    Expr { node: Node::Binary(operator, Box::new(left), Box::new(right)), span }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn precedence_and_spans() {
+        let e = parse("-R*cos(2*a) + 1.5").unwrap();
+        assert_eq!(e.span, 0..17);
+        let Node::Binary(Operator::Plus, left, right) = e.node else { panic!("not a sum") };
+        assert_eq!((left.span, right.node), (0..11, Node::Number(15, 10)));
+        assert!(matches!(parse("2**3**2").unwrap().node, Node::Binary(Operator::Power, ..)));
+    }
+
+    #[test]
+    fn errors_point_at_the_place() {
+        let at = |text| parse(text).map_err(|e| (e.span.start, e.expected)).unwrap_err();
+        assert_eq!(at("R*"), (2, Expected::Operand));
+        assert_eq!(at("(R"), (2, Expected::Closing));
+        assert_eq!(at("R cos"), (2, Expected::Operator));
+        assert_eq!(at("f'"), (2, Expected::Operand));
+        assert_eq!(at(&"(".repeat(200)), (99 + 1, Expected::ShallowerNesting));
+        assert_eq!(parse_equation("f(0)").unwrap_err().expected, Expected::Equation);
+        assert_eq!(parse_equation("f(0) = g(").unwrap_err().span, 9..9);
+    }
+}

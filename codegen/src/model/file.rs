@@ -1,0 +1,180 @@
+//! Model files: TOML into a draft, every problem with its place.
+
+use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftRun, Text};
+use super::expression::Span;
+use super::{AxisKind, Model, Problem, ProblemKind};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Reads a model file; all problems are reported together, in the order of their places.
+pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
+    let toml = |e: toml::de::Error| Problem { span: e.span().unwrap_or(0..0), kind: ProblemKind::Toml(e.message().to_owned()) };
+    let table = DeTable::parse(source).map_err(|e| vec![toml(e)])?;
+    let mut reader = Reader { problems: Vec::new() };
+    let draft = reader.draft(table.get_ref());
+    let mut problems = reader.problems;
+    let built = draft.build();
+    if problems.is_empty() {
+        return built;
+    }
+    problems.extend(built.err().unwrap_or_default());
+    problems.sort_by_key(|p| p.span.start);
+    Err(problems)
+}
+
+const TOP: &[&str] =
+    &["name", "title", "notation", "constants", "workpiece", "tool", "estimate", "order", "axis", "names", "run", "function"];
+const AXIS: &[&str] = &["rotary", "linear", "location"];
+const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading"];
+const BALL: &[&str] = &["at", "setup"];
+const BASIS: &[&str] = &["polynomial", "conditions", "fourier"];
+const WORDS: &[&str] = &["known", "zero"];
+
+type Entry<'a> = (&'a Spanned<std::borrow::Cow<'a, str>>, &'a Spanned<DeValue<'a>>);
+
+struct Reader {
+    problems: Vec<Problem>,
+}
+
+impl Reader {
+    fn problem<T: Default>(&mut self, span: Span, kind: ProblemKind) -> T {
+        self.problems.push(Problem { span, kind });
+        T::default()
+    }
+
+    fn draft(&mut self, table: &DeTable) -> Draft {
+        self.known_keys(table, TOP);
+        let mut draft = Draft {
+            name: self.required(table, "name", 0..0),
+            title: self.optional(table, "title").unwrap_or_default(),
+            notation: self.optional(table, "notation"),
+            constants: self.list(table, "constants"),
+            workpiece: self.list(table, "workpiece"),
+            tool: self.list(table, "tool"),
+            estimate: self.list(table, "estimate"),
+            order: self.list(table, "order"),
+            ..Draft::default()
+        };
+        for (name, value) in self.tables(table, "axis") {
+            draft.axes.extend(self.table(value).and_then(|axis| self.axis(text_of(name), axis)));
+        }
+        for (iso, value) in self.tables(table, "names") {
+            draft.names.extend(self.text(value).map(|own| (text_of(iso), own)));
+        }
+        for (name, value) in self.tables(table, "run") {
+            draft.runs.extend(self.table(value).map(|run| self.run(text_of(name), run)));
+        }
+        for (error, value) in self.tables(table, "function") {
+            let basis = self.basis(value);
+            draft.functions.extend(basis.map(|basis| DraftFunction { error: text_of(error), basis }));
+        }
+        draft
+    }
+
+    fn axis(&mut self, name: Text, table: &DeTable) -> Option<DraftAxis> {
+        self.known_keys(table, AXIS);
+        let (kind, key) = match (table.get("rotary"), table.get("linear")) {
+            (Some(_), None) => (AxisKind::Rotary, "rotary"),
+            (None, Some(_)) => (AxisKind::Linear, "linear"),
+            _ => return self.problem(name.span, ProblemKind::Missing("rotary` or `linear")),
+        };
+        let direction = match table.get(key) {
+            Some(value) if matches!(value.get_ref(), DeValue::Array(_)) => self.list(table, key),
+            Some(value) => self.text(value).into_iter().collect(),
+            None => Vec::new(),
+        };
+        Some(DraftAxis { name, kind, direction, location: self.list(table, "location") })
+    }
+
+    fn run(&mut self, name: Text, table: &DeTable) -> DraftRun {
+        self.known_keys(table, RUN);
+        let at = self.tables(table, "at").into_iter().filter_map(|(axis, value)| Some((text_of(axis), self.text(value)?))).collect();
+        DraftRun {
+            sweep: self.required(table, "sweep", name.span.clone()),
+            at,
+            workpiece_ball: self.ball(table, "workpiece_ball"),
+            tool_ball: self.ball(table, "tool_ball"),
+            reading: self.required(table, "reading", name.span.clone()),
+            name,
+        }
+    }
+
+    fn ball(&mut self, table: &DeTable, key: &str) -> DraftBall {
+        let Some(ball) = table.get(key).and_then(|value| self.table(value)) else { return DraftBall::default() };
+        self.known_keys(ball, BALL);
+        DraftBall { at: self.list(ball, "at"), setup: self.list(ball, "setup") }
+    }
+
+    fn basis(&mut self, value: &Spanned<DeValue>) -> Option<DraftBasis> {
+        match value.get_ref() {
+            DeValue::String(word) if word == "known" => Some(DraftBasis::Known),
+            DeValue::String(word) if word == "zero" => Some(DraftBasis::Zero),
+            DeValue::String(word) => self.problem(value.span(), ProblemKind::OneOf(word.to_string(), WORDS)),
+            DeValue::Table(table) => {
+                self.known_keys(table, BASIS);
+                match (table.get("polynomial"), table.get("fourier")) {
+                    (Some(degree), None) => Some(DraftBasis::Polynomial(self.number(degree, 20)?, self.list(table, "conditions"))),
+                    (None, Some(n)) => Some(DraftBasis::Fourier(self.number(n, 8)?)),
+                    _ => self.problem(value.span(), ProblemKind::Missing("polynomial` or `fourier")),
+                }
+            }
+            _ => self.problem(value.span(), ProblemKind::Type("a basis: \"known\", \"zero\", { polynomial = n } or { fourier = n }")),
+        }
+    }
+
+    fn known_keys(&mut self, table: &DeTable, known: &'static [&'static str]) {
+        for (key, _) in table.iter().filter(|(key, _)| !known.contains(&key.get_ref().as_ref())) {
+            self.problem::<()>(key.span(), ProblemKind::UnknownKey(key.get_ref().to_string(), known));
+        }
+    }
+
+    fn required(&mut self, table: &DeTable, key: &'static str, parent: Span) -> Text {
+        match table.get(key) {
+            Some(value) => self.text(value).unwrap_or_default(),
+            None => self.problem(parent, ProblemKind::Missing(key)),
+        }
+    }
+
+    fn optional(&mut self, table: &DeTable, key: &str) -> Option<Text> {
+        table.get(key).and_then(|value| self.text(value))
+    }
+
+    fn list(&mut self, table: &DeTable, key: &str) -> Vec<Text> {
+        match table.get(key).map(|value| (value, value.get_ref())) {
+            None => Vec::new(),
+            Some((_, DeValue::Array(items))) => items.iter().filter_map(|item| self.text(item)).collect(),
+            Some((value, _)) => self.problem(value.span(), ProblemKind::Type("a list of strings")),
+        }
+    }
+
+    fn tables<'a>(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<Entry<'a>> {
+        let Some(value) = table.get(key) else { return Vec::new() };
+        self.table(value).map(|t| t.iter().collect()).unwrap_or_default()
+    }
+
+    fn table<'a>(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<&'a DeTable<'a>> {
+        match value.get_ref() {
+            DeValue::Table(table) => Some(table),
+            _ => self.problem(value.span(), ProblemKind::Type("a table")),
+        }
+    }
+
+    fn text(&mut self, value: &Spanned<DeValue>) -> Option<Text> {
+        match value.get_ref() {
+            DeValue::String(s) => Some(Text { value: s.to_string(), span: value.span() }),
+            _ => self.problem(value.span(), ProblemKind::Type("a string")),
+        }
+    }
+
+    fn number(&mut self, value: &Spanned<DeValue>, high: u8) -> Option<u8> {
+        let parsed = match value.get_ref() {
+            DeValue::Integer(n) => u8::from_str_radix(n.as_str(), n.radix()).ok(),
+            _ => None,
+        };
+        parsed.filter(|n| (1..=high).contains(n)).or_else(|| self.problem(value.span(), ProblemKind::Range(1, high)))
+    }
+}
+
+fn text_of(key: &Spanned<std::borrow::Cow<str>>) -> Text {
+    Text { value: key.get_ref().to_string(), span: key.span() }
+}

@@ -1,0 +1,56 @@
+//! Names of errors: ISO 230-1's and the paper's.
+
+use super::description::Component;
+
+/// How a model's errors are called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Notation {
+    /// EYA, EAA, EY0A, EB0A.
+    #[default]
+    Iso230,
+    /// d_ya, e_xa, o_ya, s_ya: δ_ya, ε_xa, o_ya, s_ya in print.
+    Paper,
+}
+
+impl Notation {
+    /// Name of a motion error.
+    pub fn motion(self, component: Component, axis: &str) -> String {
+        match self {
+            Self::Iso230 => iso_motion(component, axis),
+            Self::Paper => {
+                let letter = if component.is_rotation() { 'e' } else { 'd' };
+                format!("{letter}_{}{}", component.direction(), axis.to_lowercase())
+            }
+        }
+    }
+
+    /// Name of a location error.
+    pub fn location(self, component: Component, axis: &str) -> String {
+        match self {
+            Self::Iso230 => iso_location(component, axis),
+            Self::Paper => {
+                let letter = if component.is_rotation() { 's' } else { 'o' };
+                format!("{letter}_{}{}", component.direction(), axis.to_lowercase())
+            }
+        }
+    }
+
+    /// Name of a function as reports give it: `eps_xa` for the paper's ε_xa, else the error's own name.
+    pub fn function(self, name: &str) -> String {
+        match (self, name.split_once('_')) {
+            (Self::Paper, Some(("e", rest))) => format!("eps_{rest}"),
+            (Self::Paper, Some(("d", rest))) => format!("delta_{rest}"),
+            _ => name.to_owned(),
+        }
+    }
+}
+
+/// ISO 230-1 name of a motion error: `E`, component, axis.
+pub fn iso_motion(component: Component, axis: &str) -> String {
+    format!("E{}{axis}", component.letter())
+}
+
+/// ISO 230-1 name of a location error: `E`, component, `0`, axis.
+pub fn iso_location(component: Component, axis: &str) -> String {
+    format!("E{}0{axis}", component.letter())
+}

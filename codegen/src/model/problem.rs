@@ -1,0 +1,150 @@
+//! What can be wrong with a description, each with its place and what would have been right.
+
+use super::evaluate::Meaning;
+use super::expression::{Expected, Span};
+use crate::basis::NoBasis;
+use core::fmt;
+
+/// One problem of a description.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// Where it is in the source; empty where the description did not come from a file.
+    pub span: Span,
+    /// What it is.
+    pub kind: ProblemKind,
+}
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ProblemKind {
+    /// The file is no TOML: the reader's words.
+    Toml(String),
+    /// A key that means nothing here, and the keys that do.
+    UnknownKey(String, &'static [&'static str]),
+    /// A key that must be there.
+    Missing(&'static str),
+    /// A value of another type.
+    Type(&'static str),
+    /// A value outside a list.
+    OneOf(String, &'static [&'static str]),
+    /// A name that is used as something else already.
+    Taken(String),
+    /// Not a name: a letter, then letters, digits and underscores.
+    NotAName(String),
+    /// A whole number out of its range.
+    Range(u8, u8),
+    /// An axis that is not described under `[axis.…]`.
+    UnknownAxis(String),
+    /// An axis that is on neither side.
+    Unplaced(String),
+    /// A run without a coordinate for an axis.
+    NoCoordinate(String),
+    /// Not an error of this machine.
+    UnknownError(String),
+    /// Not a location error of this axis.
+    NotALocation(String),
+    /// A list of another length than three.
+    NotThree(usize),
+    /// A direction whose length is not exactly 1.
+    NotAUnitVector,
+    /// Not a constant of the model.
+    NotAConstant(String),
+    /// A Fourier sum of a linear axis.
+    FourierOfLength,
+    /// An error to be estimated that has no basis of functions.
+    NothingToEstimate(String),
+    /// Not an expression.
+    Syntax(Expected),
+    /// An expression that means nothing.
+    Meaning(Meaning),
+    /// A condition that is not linear and homogeneous in f.
+    NotACondition,
+    /// No function satisfies the conditions.
+    NoBasis(NoBasis),
+    /// The model has no run.
+    NoRuns,
+}
+
+impl fmt::Display for ProblemKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Toml(words) => write!(f, "not TOML: {words}"),
+            Self::UnknownKey(key, _) => write!(f, "unknown key `{key}`"),
+            Self::Missing(key) => write!(f, "`{key}` is missing"),
+            Self::Type(expected) => write!(f, "not {expected}"),
+            Self::OneOf(value, _) => write!(f, "unknown value `{value}`"),
+            Self::Taken(name) => write!(f, "the name `{name}` is taken already"),
+            Self::NotAName(name) => write!(f, "`{name}` is not a name"),
+            Self::Range(low, high) => write!(f, "not a whole number from {low} to {high}"),
+            Self::UnknownAxis(axis) => write!(f, "there is no [axis.{axis}]"),
+            Self::Unplaced(axis) => write!(f, "axis {axis} is on neither side"),
+            Self::NoCoordinate(axis) => write!(f, "no coordinate for axis {axis}"),
+            Self::UnknownError(name) => write!(f, "`{name}` is not an error of this machine"),
+            Self::NotALocation(name) => write!(f, "`{name}` is not a location error of this axis"),
+            Self::NotThree(n) => write!(f, "{n} components"),
+            Self::NotAUnitVector => write!(f, "the direction's length is not exactly 1"),
+            Self::NotAConstant(name) => write!(f, "`{name}` is not a constant of this model"),
+            Self::FourierOfLength => write!(f, "a Fourier sum needs an angle, this axis is linear"),
+            Self::NothingToEstimate(name) => write!(f, "`{name}` has no basis to be estimated in"),
+            Self::Syntax(expected) => syntax(*expected, f),
+            Self::Meaning(meaning) => write_meaning(meaning, f),
+            Self::NotACondition => write!(f, "not a linear homogeneous condition on f"),
+            Self::NoBasis(NoBasis::OnlyZero) => write!(f, "no function of this degree but zero satisfies the conditions"),
+            Self::NoBasis(NoBasis::NotPolynomial) => write!(f, "the conditions divide by a sum of constants"),
+            Self::NoBasis(NoBasis::Algebra(e)) => fmt::Display::fmt(e, f),
+            Self::NoRuns => write!(f, "the model has no run"),
+        }
+    }
+}
+
+impl ProblemKind {
+    /// What would have been right.
+    pub fn help(&self) -> Option<String> {
+        Some(match self {
+            Self::UnknownKey(_, known) | Self::OneOf(_, known) => format!("expected {}", list(known)),
+            Self::NotAName(_) => "a letter first, then letters, digits and underscores".into(),
+            Self::Unplaced(_) => "name it in `workpiece = […]` or `tool = […]`, from the machine's base outwards".into(),
+            Self::NoCoordinate(axis) => format!("add `{axis} = \"…\"` to `at`: an expression of the sweep, or \"rest\""),
+            Self::UnknownError(_) => "an ISO 230-1 name such as EYY or EAA, or the model's own name for it".into(),
+            Self::NotALocation(_) => "EX0, EY0, EZ0 for offsets, EA0, EB0, EC0 for orientation, followed by the axis' name".into(),
+            Self::NotThree(_) => "three expressions, along x, y and z".into(),
+            Self::NotAUnitVector => "`x`, `-y`, or three components such as [\"0\", \"1/sqrt(2)\", \"1/sqrt(2)\"]".into(),
+            Self::NotAConstant(_) => "name it in `constants = […]`".into(),
+            Self::NothingToEstimate(_) => "give it a polynomial or a Fourier sum under [function]".into(),
+            Self::NotACondition => "for example \"f(0) = 0\", \"f(2*pi) = f(0)\", \"f'(2*pi) = f'(0)\"".into(),
+            Self::NoBasis(NoBasis::OnlyZero) => "raise the degree or drop a condition".into(),
+            Self::NoRuns => "describe at least one under [run.NAME]".into(),
+            Self::Meaning(Meaning::UnknownName(_)) => "the sweep of this run, `pi`, or one of `constants`".into(),
+            Self::Meaning(Meaning::UnknownFunction(_)) => "expected sin, cos or sqrt".into(),
+            Self::Meaning(Meaning::NotAnAngle) => "whole multiples of the sweep plus whole multiples of pi/4 have an exact sine".into(),
+            _ => return None,
+        })
+    }
+}
+
+fn list(known: &[&str]) -> String {
+    known.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn syntax(expected: Expected, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    f.write_str(match expected {
+        Expected::Operand => "expected a number, a name, a function or a parenthesis here",
+        Expected::Operator => "expected an operator or the end here",
+        Expected::Closing => "expected `)` here",
+        Expected::ShorterNumber => "a number has at most 30 digits",
+        Expected::ShallowerNesting => "nested too deeply",
+        Expected::Equation => "expected one `=`",
+    })
+}
+
+fn write_meaning(meaning: &Meaning, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    match meaning {
+        Meaning::UnknownName(name) => write!(f, "unknown name `{name}`"),
+        Meaning::UnknownFunction(name) => write!(f, "unknown function `{name}`"),
+        Meaning::NotAnAngle => write!(f, "not an angle with an exact sine and cosine"),
+        Meaning::Divisor => write!(f, "division by a sum"),
+        Meaning::Exponent => write!(f, "an exponent is a whole number from 0 to 20"),
+        Meaning::Root => write!(f, "only square roots of n² and 2n² are exact here"),
+        Meaning::Algebra(e) => fmt::Display::fmt(e, f),
+    }
+}
