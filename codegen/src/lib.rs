@@ -2,6 +2,7 @@
 
 pub mod algebra;
 pub mod basis;
+pub mod emit;
 pub mod kinematics;
 pub mod measurement;
 pub mod model;

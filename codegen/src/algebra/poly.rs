@@ -91,6 +91,14 @@ impl Poly {
         &self.terms
     }
 
+    /// The terms as they are printed: by errors, then highest in cosine, sine, sweep and last the constants.
+    pub fn printed(&self) -> Vec<Term> {
+        let mut terms = self.terms.clone();
+        let backwards = |m: &Monomial| m.powers().iter().rev().copied().collect::<Vec<_>>();
+        terms.sort_by_cached_key(|(m, _)| (m.only_errors(), core::cmp::Reverse(backwards(m))));
+        terms
+    }
+
     /// True for 0.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()

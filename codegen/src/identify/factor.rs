@@ -84,8 +84,8 @@ fn name(model: &Model, columns: &Columns, base: Vec<Base>) -> Vec<(BaseParameter
             Origin::Coefficient(f, k) if model.functions[f].estimate => Some((f, k)),
             _ => None,
         };
-        let leading = b.regressors[b.run].numerator().terms().last();
-        let flip = estimates.is_none() && leading.is_some_and(|(_, c)| *c < integer(0));
+        let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| *c);
+        let flip = estimates.is_none() && leading.is_some_and(|c| c < integer(0));
         let signed = |f: Fraction| if flip { f.negated() } else { f };
         lumped += usize::from(estimates.is_none());
         let name = if estimates.is_some() { parameter.name.clone() } else { format!("k{lumped}") };

@@ -1,0 +1,140 @@
+//! The equations of a derivation in one style, before a format arranges them.
+
+use super::printer::{Printer, Style};
+use crate::algebra::{ErrorId, Fraction, Monomial, Poly, Rational};
+use crate::basis::{Basis, Univariate};
+use crate::identify::{Derivation, DerivedRun};
+use crate::model::Model;
+
+/// Prints the parts of one derivation.
+pub(super) struct Document<'a> {
+    pub model: &'a Model,
+    pub derivation: &'a Derivation,
+    pub printer: Printer<'a>,
+}
+
+impl<'a> Document<'a> {
+    pub fn new(model: &'a Model, derivation: &'a Derivation, style: Style) -> Self {
+        Self { model, derivation, printer: Printer { alphabet: &model.alphabet, style } }
+    }
+
+    /// An error's name; a motion error of the paper's notation is a Greek letter in LaTeX.
+    pub fn error(&self, id: ErrorId) -> String {
+        let name = self.model.alphabet.error_name(id);
+        let motion = self.model.axis_of(id).is_some();
+        match (self.printer.style, name.split_once('_')) {
+            (Style::Latex, Some(("d", rest))) if motion => format!("\\delta_{{{rest}}}"),
+            (Style::Latex, Some(("e", rest))) if motion => format!("\\varepsilon_{{{rest}}}"),
+            _ => self.printer.name(name),
+        }
+    }
+
+    /// A run's linear reading with equal factors collected: `s·(d_yy + d_yz − d_ya) + c·(…) + …`, eq. (5).
+    pub fn reading(&self, run: &DerivedRun) -> String {
+        let mut groups: Vec<(Poly, Vec<(bool, ErrorId)>)> = Vec::new();
+        for (errors, coefficient) in run.reading.by_errors() {
+            let Some(error) = errors.errors().next() else { continue };
+            let negative = coefficient.printed().first().is_some_and(|(_, c)| *c < Rational::from(0));
+            let size = if negative { coefficient.negated() } else { coefficient };
+            match groups.iter_mut().find(|(factor, _)| *factor == size) {
+                Some((_, members)) => members.push((negative, error)),
+                None => groups.push((size, vec![(negative, error)])),
+            }
+        }
+        groups.sort_by_key(|(factor, _)| {
+            let degree = |(m, _): &(Monomial, Rational)| m.powers().iter().map(|p| i32::from(*p)).sum::<i32>();
+            factor.printed().iter().map(degree).max()
+        });
+        let print = |(factor, members): &(Poly, Vec<(bool, ErrorId)>)| {
+            let flip = members.iter().all(|(negative, _)| *negative);
+            let inner = self.printer.sum(members.iter().map(|(negative, e)| (*negative != flip, self.error(*e))));
+            let inner = if members.len() > 1 { self.printer.parenthesised(&inner) } else { inner };
+            let text = match factor.as_number() {
+                Some(n) if n == Rational::from(1) && members.len() == 1 => inner,
+                _ => self.printer.product(&[self.bracketed(factor), inner]),
+            };
+            (flip, text)
+        };
+        self.printer.sum(groups.iter().rev().map(print))
+    }
+
+    fn bracketed(&self, p: &Poly) -> String {
+        let text = self.printer.poly(p);
+        if p.terms().len() > 1 { self.printer.parenthesised(&text) } else { text }
+    }
+
+    /// A base parameter in physical ones.
+    pub fn definition(&self, definition: &[(usize, Fraction)]) -> String {
+        self.printer.combination(definition.iter().map(|(j, f)| (f, self.printer.name(&self.derivation.parameters[*j].name))))
+    }
+
+    /// A run's model equation, eqs. (7) and (9): known functions, then the base parameters.
+    pub fn equation(&self, run: &DerivedRun) -> String {
+        let known: Vec<(Fraction, String)> =
+            run.known.iter().map(|(f, p)| (Fraction::whole(p.clone()), self.error(self.model.functions[*f].error))).collect();
+        let estimated = self.estimated(run);
+        let lumped = run.regressors.iter().filter(|(b, _)| self.derivation.base[*b].estimates.is_none());
+        let lumped = lumped.map(|(b, r)| (r, self.printer.name(&self.derivation.base[*b].name)));
+        self.printer.combination(known.iter().map(|(f, n)| (f, n.clone())).chain(estimated.iter().map(|(f, n)| (f, n.clone()))).chain(lumped))
+    }
+
+    /// The estimated functions with their coefficients in the reading: `R·e_xa`.
+    fn estimated(&self, run: &DerivedRun) -> Vec<(Fraction, String)> {
+        let coefficient = |error: ErrorId| run.reading.by_errors().into_iter().find(|(m, _)| m.errors().next() == Some(error));
+        let functions = self.model.functions.iter().filter(|f| f.estimate);
+        functions.filter_map(|f| Some((Fraction::whole(coefficient(f.error)?.1), self.error(f.error)))).collect()
+    }
+
+    /// An error's function written out in its coefficients, eqs. (6) and (10), of the coordinate `x`; `None` if it is not one.
+    pub fn function(&self, position: usize, x: &str) -> Option<String> {
+        let f = &self.model.functions[position];
+        let prefix = self.model.alphabet.error_name(f.error);
+        let names = f.basis.suffixes().into_iter().map(|s| self.printer.name(&format!("{prefix}{s}")));
+        let term = |name: String, value: String, sum: bool| {
+            let value = if sum { self.printer.parenthesised(&value) } else { value };
+            (false, self.printer.product(&[name, value]))
+        };
+        match &f.basis {
+            Basis::Zero => Some("0".to_owned()),
+            Basis::Known => None,
+            Basis::Polynomials(p) => {
+                let terms = p.iter().zip(names).map(|(u, name)| term(name, self.univariate(u, x), u.0.iter().filter(|c| !c.is_zero()).count() > 1));
+                Some(self.printer.sum(terms))
+            }
+            Basis::Fourier(n) => {
+                let wave = |k: u8, sin: bool| {
+                    let name = if sin { "sin" } else { "cos" };
+                    let times = if k == 1 { x.to_owned() } else { self.printer.product(&[k.to_string(), x.to_owned()]) };
+                    if self.printer.style == Style::Latex { format!("\\{name} {times}") } else { format!("{name}({times})") }
+                };
+                let values = (1..=*n).flat_map(|k| [wave(k, false), wave(k, true)]);
+                Some(self.printer.sum(names.zip(values).map(|(name, value)| term(name, value, false))))
+            }
+        }
+    }
+
+    /// A polynomial of the coordinate `x`, highest power first.
+    pub fn univariate(&self, u: &Univariate, x: &str) -> String {
+        let power = |n: usize| match (n, self.printer.style) {
+            (1, _) => x.to_owned(),
+            (_, Style::Latex) => format!("{x}^{{{n}}}"),
+            (_, Style::Plain) => format!("{x}**{n}"),
+            (_, Style::Pretty) => format!("{x}{}", ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'].get(n).map_or(format!("^{n}"), char::to_string)),
+        };
+        let terms: Vec<(Fraction, usize)> =
+            u.0.iter().enumerate().rev().filter(|(_, c)| !c.is_zero()).map(|(n, c)| (Fraction::whole(c.clone()), n)).collect();
+        let constant = terms.iter().find(|(_, n)| *n == 0).map(|(f, _)| self.printer.fraction(f));
+        let powers = self.printer.combination(terms.iter().filter(|(_, n)| *n > 0).map(|(f, n)| (f, power(*n))));
+        match (constant, terms.len()) {
+            (None, _) => powers,
+            (Some(c), 1) => c,
+            (Some(c), _) => format!("{powers} + {c}"),
+        }
+    }
+
+    /// The coordinate's letter of an axis error: `a` for the axis A.
+    pub fn coordinate(&self, position: usize) -> String {
+        let axis = self.model.axis_of(self.model.functions[position].error);
+        axis.and_then(|(i, _)| self.model.axes().nth(i)).map_or_else(|| "x".to_owned(), |axis| axis.name.to_lowercase())
+    }
+}

@@ -1,0 +1,12 @@
+//! A derivation as a document: text and LaTeX for a reviewer, JSON for a program.
+
+mod document;
+mod json;
+mod latex;
+mod printer;
+mod text;
+
+pub use json::json;
+pub use latex::latex;
+pub use printer::{Printer, Style};
+pub use text::text;
