@@ -11,7 +11,9 @@ fn row<T: Real, const P: usize>(i: u32) -> SVector<T, P> {
 }
 
 fn benches_of<T: Real, const P: usize>(c: &mut Criterion, float: &str) {
-    let rows: Vec<_> = (0..1024).map(|i| (row::<T, P>(i), T::of(f64::from(i).sin()))).collect();
+    let rows: Vec<_> = (0..1024)
+        .map(|i| (row::<T, P>(i), T::of(f64::from(i).sin())))
+        .collect();
     let mut factor = Factor::<T, P>::new();
     rows.iter().for_each(|(x, y)| factor.push(x, *y).unwrap());
 

@@ -40,7 +40,16 @@ fn separation<T: Real>(a: T) -> SVector<T, 8> {
     let (s, c) = a.sin_cos();
     let r = T::of(RADIUS);
     let (rr, cc) = (r * r, c * c);
-    vector![c, s, r, rr * s * s * c, r * rr * s * c * cc, rr * s * cc, r * s * c, r * cc]
+    vector![
+        c,
+        s,
+        r,
+        rr * s * s * c,
+        r * rr * s * c * cc,
+        rr * s * cc,
+        r * s * c,
+        r * cc
+    ]
 }
 
 /// Both runs in one: `[e1, e2, k6, k7, wz1, k9, k10, k11, k1 … k5]`.
@@ -56,7 +65,9 @@ fn two_step<T: Real>(samples: &[(f64, f64, f64)]) -> [T; 2] {
     }
     let k = run2.solve().unwrap();
     let cov = k.covariance.fixed_view::<5, 5>(3, 3).into_owned();
-    let e = run1.solve_given::<5, 5>(&k.coefficients.fixed_rows::<5>(3).into_owned(), &cov).unwrap();
+    let e = run1
+        .solve_given::<5, 5>(&k.coefficients.fixed_rows::<5>(3).into_owned(), &cov)
+        .unwrap();
     [e.coefficients[0], e.coefficients[1]]
 }
 
@@ -65,8 +76,12 @@ fn both_at_once<T: Real>(samples: &[(f64, f64, f64)]) -> [T; 2] {
     for &(a, y1, y2) in samples {
         let (x1, x2) = (tilting(T::of(a)), separation(T::of(a)));
         let ([x1], [x2]) = (&x1.data.0, &x2.data.0);
-        factor.push(&joint(&x1[..5], &zero[..3], &x1[5..]), T::of(y1)).unwrap();
-        factor.push(&joint(&zero, &x2[..3], &x2[3..]), T::of(y2)).unwrap();
+        factor
+            .push(&joint(&x1[..5], &zero[..3], &x1[5..]), T::of(y1))
+            .unwrap();
+        factor
+            .push(&joint(&zero, &x2[..3], &x2[3..]), T::of(y2))
+            .unwrap();
     }
     let all = factor.solve().unwrap();
     [all.coefficients[0], all.coefficients[1]]
@@ -76,7 +91,9 @@ fn both_at_once<T: Real>(samples: &[(f64, f64, f64)]) -> [T; 2] {
 fn simulate(n: u32, seed: u64) -> Vec<(f64, f64, f64)> {
     let mut state = seed;
     let mut uniform = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
     let r = RADIUS;
@@ -99,7 +116,10 @@ fn difference(single: [f32; 2], double: [f64; 2]) -> f64 {
     (0..=360).fold(0.0, |worst, degree| {
         let [f1, f2] = eps_basis(f64::from(degree).to_radians());
         let eps = |e: [f64; 2]| e[0] * f1 + e[1] * f2;
-        f64::max(worst, 1e6 * (eps(single.map(f64::from)) - eps(double)).abs())
+        f64::max(
+            worst,
+            1e6 * (eps(single.map(f64::from)) - eps(double)).abs(),
+        )
     })
 }
 
@@ -108,7 +128,10 @@ fn worst_over_seeds(n: u32, seeds: u64) -> [f64; 2] {
     for seed in 0..seeds {
         let samples = simulate(n, 7 + seed);
         paper = f64::max(paper, difference(two_step(&samples), two_step(&samples)));
-        joint = f64::max(joint, difference(both_at_once(&samples), both_at_once(&samples)));
+        joint = f64::max(
+            joint,
+            difference(both_at_once(&samples), both_at_once(&samples)),
+        );
     }
     println!("{n} samples: two-step {paper:.5} µrad, joint {joint:.5} µrad");
     [paper, joint]
@@ -116,7 +139,8 @@ fn worst_over_seeds(n: u32, seeds: u64) -> [f64; 2] {
 
 #[test]
 fn f32_keeps_the_angular_error() {
-    for (n, seeds, bound) in [(360, 20, 0.01), (36_000, 4, 0.1)] {
+    // Ten times and three hundred times closer than a controller needs (0.01 and 0.1 µrad).
+    for (n, seeds, bound) in [(360, 20, 1e-3), (36_000, 4, 3e-4)] {
         for worst in worst_over_seeds(n, seeds) {
             assert!(worst < bound, "{worst} µrad at {n} samples");
         }

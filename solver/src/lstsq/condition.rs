@@ -34,7 +34,9 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// roundings), [`SolveError::NotFinite`] if their norms overflow.
     pub fn condition_of_first<const E: usize>(&self) -> Result<Condition<T, E>, SolveError<E>> {
         let triangle = Triangle::<T, E>::leading(self);
-        triangle.independent(&triangle.inverse()).map_err(SolveError::RankDeficient)?;
+        triangle
+            .independent(&triangle.inverse())
+            .map_err(SolveError::RankDeficient)?;
         // Rows of the scaled factor A: rotating them into orthogonality (one-sided Jacobi on A') leaves each as a
         // singular value times its right singular vector.
         let mut rows = [[T::zero(); E]; E];
@@ -60,7 +62,10 @@ impl<T: Real, const P: usize> Factor<T, P> {
             return Err(SolveError::NotFinite);
         }
         let notable = T::of(0.01) * smallest;
-        Ok(Condition { number, weakest: Subset::from_mask(weakest.map(|v| v * v >= notable)) })
+        Ok(Condition {
+            number,
+            weakest: Subset::from_mask(weakest.map(|v| v * v >= notable)),
+        })
     }
 }
 

@@ -58,7 +58,11 @@ impl<const P: usize> fmt::Display for SolveError<P> {
                 write!(f, "{samples} samples where at least {needed} are needed")
             }
             Self::RankDeficient(c) => {
-                write!(f, "rank {} of {P}; the data do not separate coefficients", c.rank)?;
+                write!(
+                    f,
+                    "rank {} of {P}; the data do not separate coefficients",
+                    c.rank
+                )?;
                 c.involved.iter().try_for_each(|i| write!(f, " {i}"))
             }
             Self::NotFinite => f.write_str("a value is not a finite number"),

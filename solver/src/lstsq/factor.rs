@@ -9,24 +9,41 @@ use nalgebra::SVector;
 /// sum of squares, such that `X'WX = R'DR` and `X'Wy = R'Dq`: Gentleman's form of Givens rotations (J. Inst. Maths
 /// Applics 12, 1973; Miller's AS 274). Neither X nor X'X is ever formed.
 ///
+/// R and q are weighted means of all samples, changed less and less by each: their sums are compensated (Kahan), which
+/// keeps `f32` as accurate after 36,000 samples as after 360 and takes the room that a triangle leaves free.
+///
 /// A push costs O(P²) whatever came before it, without a square root, a panic or a heap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factor<T, const P: usize> {
-    /// D on the diagonal, R above it; nothing below.
+    /// D on the diagonal, R above it. Below it, at `[k][j]`, what rounding has left out of R at `[j][k]`.
     pub(super) dr: [[T; P]; P],
     pub(super) q: [T; P],
+    /// What rounding has left out of q.
+    q_low: [T; P],
     pub(super) rss: T,
     pub(super) samples: u32,
 }
 
 impl<const P: usize> Factor<f32, P> {
     /// The factor of no samples, as a constant.
-    pub const EMPTY: Self = Self { dr: [[0.0; P]; P], q: [0.0; P], rss: 0.0, samples: 0 };
+    pub const EMPTY: Self = Self {
+        dr: [[0.0; P]; P],
+        q: [0.0; P],
+        q_low: [0.0; P],
+        rss: 0.0,
+        samples: 0,
+    };
 }
 
 impl<const P: usize> Factor<f64, P> {
     /// The factor of no samples, as a constant.
-    pub const EMPTY: Self = Self { dr: [[0.0; P]; P], q: [0.0; P], rss: 0.0, samples: 0 };
+    pub const EMPTY: Self = Self {
+        dr: [[0.0; P]; P],
+        q: [0.0; P],
+        q_low: [0.0; P],
+        rss: 0.0,
+        samples: 0,
+    };
 }
 
 impl<T: Real, const P: usize> Default for Factor<T, P> {
@@ -38,7 +55,13 @@ impl<T: Real, const P: usize> Default for Factor<T, P> {
 impl<T: Real, const P: usize> Factor<T, P> {
     /// The factor of no samples.
     pub fn new() -> Self {
-        Self { dr: [[T::zero(); P]; P], q: [T::zero(); P], rss: T::zero(), samples: 0 }
+        Self {
+            dr: [[T::zero(); P]; P],
+            q: [T::zero(); P],
+            q_low: [T::zero(); P],
+            rss: T::zero(),
+            samples: 0,
+        }
     }
 
     /// Number of samples of positive weight taken.
@@ -69,7 +92,11 @@ impl<T: Real, const P: usize> Factor<T, P> {
     #[inline]
     pub fn push_weighted(&mut self, row: &SVector<T, P>, y: T, weight: T) -> Result<(), Rejected> {
         let [row] = row.data.0;
-        if !row.iter().fold(y, |sum, &x| sum + x * T::zero()).is_finite() {
+        if !row
+            .iter()
+            .fold(y, |sum, &x| sum + x * T::zero())
+            .is_finite()
+        {
             return Err(Rejected::NotFinite);
         }
         if !(weight >= T::zero() && weight.is_finite()) {
@@ -105,7 +132,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
         self.replace(next)
     }
 
-    /// Rotates a weighted row, zero before column `first`, into the factor.
+    /// Rotates a weighted row into the factor; its entries before column `first` count as zero.
     #[inline(always)]
     fn rotate(&mut self, first: usize, mut x: [T; P], mut y: T, mut weight: T) {
         // Below this a squared entry has lost digits to underflow: the entry counts as zero.
@@ -124,27 +151,26 @@ impl<T: Real, const P: usize> Factor<T, P> {
             }
             let (c, s) = (d / sum, wx / sum);
             self.dr[j][j] = sum;
-            let old = self.q[j];
-            let rest = y - xj * old;
+            let q = self.q[j];
+            let y_rest = y - xj * q;
             // Where the old row dominates, adding the small correction rounds least; where the new one does, the old
             // row may be arbitrarily large beside it and must be damped before anything is added to it.
             if c > half {
                 for k in j + 1..P {
                     let r = self.dr[j][k];
-                    let rest = x[k] - xj * r;
-                    x[k] = rest;
-                    self.dr[j][k] = r + s * rest;
+                    x[k] -= xj * r;
+                    (self.dr[j][k], self.dr[k][j]) = add(r, s * x[k] + self.dr[k][j]);
                 }
-                self.q[j] = old + s * rest;
+                (self.q[j], self.q_low[j]) = add(q, s * y_rest + self.q_low[j]);
             } else {
                 for k in j + 1..P {
                     let r = self.dr[j][k];
-                    self.dr[j][k] = c * r + s * x[k];
+                    (self.dr[j][k], self.dr[k][j]) = (c * r + s * x[k], T::zero());
                     x[k] -= xj * r;
                 }
-                self.q[j] = c * old + s * y;
+                (self.q[j], self.q_low[j]) = (c * q + s * y, T::zero());
             }
-            y = rest;
+            y = y_rest;
             weight *= c;
             if weight == T::zero() {
                 return;
@@ -157,11 +183,24 @@ impl<T: Real, const P: usize> Factor<T, P> {
     #[inline(always)]
     fn replace(&mut self, next: Self) -> Result<(), Rejected> {
         let zero = T::zero();
-        let sum = next.dr.iter().flatten().chain(&next.q).fold(next.rss, |sum, &v| sum + v * zero);
+        let sum = next
+            .dr
+            .iter()
+            .flatten()
+            .chain(&next.q)
+            .fold(next.rss, |sum, &v| sum + v * zero);
         if !sum.is_finite() {
             return Err(Rejected::Overflow);
         }
         *self = next;
         Ok(())
     }
+}
+
+/// The rounded sum, and what the rounding left out of it: exactly if `value` is the larger, else at least no more than
+/// rounding leaves out anyway.
+#[inline(always)]
+fn add<T: Real>(value: T, change: T) -> (T, T) {
+    let sum = value + change;
+    (sum, change - (sum - value))
 }

@@ -18,6 +18,26 @@
 //! assert!((slope - 1.94).abs() < 1e-12 && (2.0 - slope).abs() < band);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Scaling
+//!
+//! The factor itself does not mind the columns' units. Every decision about them (rank, condition, which coefficients are
+//! concerned) is made as if each column had unit norm, so it is the same in mm and in µm. What scaling cannot mend is
+//! a badly placed origin: powers of x over a range far from zero are nearly parallel. Shift x to the middle of its range.
+//!
+//! # Accuracy
+//!
+//! Digits reached on the linear-regression sets of NIST's Statistical Reference Datasets: those of the worst coefficient,
+//! of the worst standard deviation, and of the residual standard deviation, at most 15 as certified (where zero is certified,
+//! those of the absolute error). *Shifted*: x less the middle of its range, over the power of two at or above the half range,
+//! computed in the arithmetic under test; the result is expanded back to the certified variable exactly. In `f32` the data
+//! and powers are rounded to seven digits before the fit sees them, and Wampler 4 and 5 bury coefficients of one under
+//! residuals of 2·10⁵ and 2·10⁷.
+//!
+#![doc = include_str!("digits.md")]
+//!
+//! The ball-bar runs this crate is for are kinder: at 360 and at 36,000 samples a run, `f32` keeps the angular error within
+//! 0.001 µrad of `f64` (`tests/single_precision.rs`).
 
 mod condition;
 mod error;

@@ -49,7 +49,12 @@ impl<T: Real, const P: usize> Factor<T, P> {
         k: &SVector<T, K>,
         cov_k: &SMatrix<T, K, K>,
     ) -> Result<Solution<T, E>, SolveError<E>> {
-        const { assert!(E + K == P, "E unknown and K given coefficients must make up the factor's P") };
+        const {
+            assert!(
+                E + K == P,
+                "E unknown and K given coefficients must make up the factor's P"
+            )
+        };
         self.need::<E>(1)?;
         let [k] = &k.data.0;
         let zero = T::zero();
@@ -95,7 +100,11 @@ impl<T: Real, const P: usize> Factor<T, P> {
     fn need<const E: usize>(&self, spare: usize) -> Result<(), SolveError<E>> {
         let (samples, needed) = (self.samples, E.saturating_add(spare));
         let enough = usize::try_from(samples).map_or(true, |samples| samples >= needed);
-        if enough { Ok(()) } else { Err(SolveError::TooFewSamples { samples, needed }) }
+        if enough {
+            Ok(())
+        } else {
+            Err(SolveError::TooFewSamples { samples, needed })
+        }
     }
 
     /// Solution for the first `E` columns with right-hand side `q`; `widen` adds to the covariance.
@@ -109,9 +118,13 @@ impl<T: Real, const P: usize> Factor<T, P> {
     ) -> Result<Solution<T, E>, SolveError<E>> {
         let triangle = Triangle::<T, E>::leading(self);
         let inverse = triangle.inverse();
-        triangle.independent(&inverse).map_err(SolveError::RankDeficient)?;
+        triangle
+            .independent(&inverse)
+            .map_err(SolveError::RankDeficient)?;
 
-        let degrees_of_freedom = self.samples.saturating_sub(u32::try_from(E).unwrap_or(u32::MAX));
+        let degrees_of_freedom = self
+            .samples
+            .saturating_sub(u32::try_from(E).unwrap_or(u32::MAX));
         let residual_variance = match degrees_of_freedom {
             0 => T::zero(),
             dof => rss / T::of_count(dof),
@@ -121,7 +134,9 @@ impl<T: Real, const P: usize> Factor<T, P> {
         widen(&triangle, &mut covariance);
 
         let zero = [T::zero(); E];
-        let check = covariance.iter().fold(dot(&coefficients, &zero), |sum, row| sum + dot(row, &zero));
+        let check = covariance
+            .iter()
+            .fold(dot(&coefficients, &zero), |sum, row| sum + dot(row, &zero));
         if !(check + residual_variance).is_finite() {
             return Err(SolveError::NotFinite);
         }

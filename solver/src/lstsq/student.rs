@@ -19,7 +19,10 @@ pub fn student_t_95<T: Real>(dof: u32) -> T {
         2.262_157_163,
     ];
     let few = usize::try_from(dof).ok().and_then(|dof| FEW.get(dof));
-    T::of(few.copied().unwrap_or_else(|| cornish_fisher(f64::from(dof))))
+    T::of(
+        few.copied()
+            .unwrap_or_else(|| cornish_fisher(f64::from(dof))),
+    )
 }
 
 /// Abramowitz and Stegun 26.7.5 at the normal quantile of order 0.975.
@@ -29,7 +32,8 @@ fn cornish_fisher(dof: f64) -> f64 {
     const G1: f64 = Z * (Z2 + 1.0) / 4.0;
     const G2: f64 = Z * ((5.0 * Z2 + 16.0) * Z2 + 3.0) / 96.0;
     const G3: f64 = Z * (((3.0 * Z2 + 19.0) * Z2 + 17.0) * Z2 - 15.0) / 384.0;
-    const G4: f64 = Z * ((((79.0 * Z2 + 776.0) * Z2 + 1482.0) * Z2 - 1920.0) * Z2 - 945.0) / 92160.0;
+    const G4: f64 =
+        Z * ((((79.0 * Z2 + 776.0) * Z2 + 1482.0) * Z2 - 1920.0) * Z2 - 945.0) / 92160.0;
     let u = 1.0 / dof;
     Z + u * (G1 + u * (G2 + u * (G3 + u * G4)))
 }
@@ -57,7 +61,10 @@ mod tests {
         ];
         for (dof, t) in table {
             assert!((student_t_95::<f64>(dof) - t).abs() < 2e-5, "{dof}");
-            assert!((f64::from(student_t_95::<f32>(dof)) - t).abs() < 1e-4, "{dof}");
+            assert!(
+                (f64::from(student_t_95::<f32>(dof)) - t).abs() < 1e-4,
+                "{dof}"
+            );
         }
         assert_eq!(student_t_95::<f64>(0), f64::INFINITY);
     }

@@ -12,12 +12,17 @@ impl<const P: usize> Subset<P> {
 
     /// Indices of the members, ascending.
     pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..P).zip(self.0).filter_map(|(i, member)| member.then_some(i))
+        (0..P)
+            .zip(self.0)
+            .filter_map(|(i, member)| member.then_some(i))
     }
 
     /// Names of the members, given the names of all `P` coefficients in order.
     pub fn names(&self, all: &[&'static str; P]) -> impl Iterator<Item = &'static str> {
-        self.0.into_iter().zip(*all).filter_map(|(member, name)| member.then_some(name))
+        self.0
+            .into_iter()
+            .zip(*all)
+            .filter_map(|(member, name)| member.then_some(name))
     }
 
     /// Whether coefficient `index` is a member; false beyond the last.

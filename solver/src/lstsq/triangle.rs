@@ -46,7 +46,11 @@ impl<T: Real, const E: usize> Triangle<T, E> {
         }
         involved[pivot] = true;
         let rank = (0..E).filter(|&k| is_independent(k)).count();
-        Err(Confounded { pivot, involved: Subset::from_mask(involved), rank })
+        Err(Confounded {
+            pivot,
+            involved: Subset::from_mask(involved),
+            rank,
+        })
     }
 
     /// R⁻¹ v.
