@@ -78,7 +78,7 @@ fn orthogonalise<T: Real, const E: usize>(rows: &mut [[T; E]; E]) {
             for j in i + 1..E {
                 let (a, b) = (rows[i], rows[j]);
                 let (aa, bb, ab) = (dot(&a, &a), dot(&b, &b), dot(&a, &b));
-                if !(ab.abs() > T::epsilon() * aa.sqrt() * bb.sqrt()) {
+                if ab.abs() <= T::epsilon() * aa.sqrt() * bb.sqrt() {
                     continue;
                 }
                 rotated = true;

@@ -146,7 +146,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
             let d = self.dr[j][j];
             let wx = weight * xj;
             let sum = d + wx * xj;
-            if !(sum > tiny) {
+            if sum <= tiny {
                 continue;
             }
             let (c, s) = (d / sum, wx / sum);

@@ -57,7 +57,7 @@ impl<T: Real, const E: usize> Triangle<T, E> {
     pub fn back_substitute(&self, mut v: [T; E]) -> [T; E] {
         for j in (0..E).rev() {
             for k in j + 1..E {
-                v[j] = v[j] - self.r[j][k] * v[k];
+                v[j] -= self.r[j][k] * v[k];
             }
         }
         v
