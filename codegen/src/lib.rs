@@ -3,7 +3,7 @@
 pub mod algebra;
 pub mod basis;
 pub mod emit;
+pub mod identify;
 pub mod kinematics;
 pub mod measurement;
 pub mod model;
-pub mod identify;

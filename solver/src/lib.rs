@@ -1,2 +1,6 @@
 //! Fixed-size, allocation-free least squares for the generated measurement models.
 #![no_std]
+
+pub mod lstsq;
+
+pub use lstsq::Real;

@@ -30,7 +30,12 @@ pub fn reduce(mut rows: Vec<Vec<Fraction>>, order: &[usize], alphabet: &Alphabet
 }
 
 /// Takes `row[column]` times `pivot` from `row` and returns that factor; `pivot[column]` is 1.
-pub fn subtract(row: &mut [Fraction], pivot: &[Fraction], column: usize, alphabet: &Alphabet) -> Result<Fraction, AlgebraError> {
+pub fn subtract(
+    row: &mut [Fraction],
+    pivot: &[Fraction],
+    column: usize,
+    alphabet: &Alphabet,
+) -> Result<Fraction, AlgebraError> {
     let factor = core::mem::replace(&mut row[column], Fraction::zero());
     if !factor.is_zero() {
         for (j, (r, p)) in row.iter_mut().zip(pivot).enumerate() {

@@ -72,7 +72,9 @@ impl Fraction {
             let mut reduced = Vec::new();
             for (root, part) in by_root2(&lifted) {
                 let quotient = divide(&part, &common)?.unwrap_or(part);
-                reduced.extend(quotient.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?.terms().iter().copied());
+                reduced.extend(
+                    quotient.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?.terms().iter().copied(),
+                );
             }
             numerator = Poly::from_terms(reduced)?.times(&Poly::term(lift, rational::integer(1)), Order::NOMINAL)?;
             denominator = divide(&denominator, &common)?.unwrap_or(denominator);

@@ -15,7 +15,10 @@ pub struct Transform {
 impl Transform {
     /// The transform that changes nothing.
     pub fn identity() -> Self {
-        Self::new(array::from_fn(|i| array::from_fn(|j| if i == j { Poly::one() } else { Poly::ZERO })), Default::default())
+        Self::new(
+            array::from_fn(|i| array::from_fn(|j| if i == j { Poly::one() } else { Poly::ZERO })),
+            Default::default(),
+        )
     }
 
     /// From the 3×3 part and the translation.

@@ -41,7 +41,9 @@ pub enum AlgebraError {
 impl core::fmt::Display for AlgebraError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let text = match self {
-            Self::CoefficientOverflow => "a coefficient no longer fits 126 bits; the derivation stops rather than round",
+            Self::CoefficientOverflow => {
+                "a coefficient no longer fits 126 bits; the derivation stops rather than round"
+            }
             Self::ExponentOverflow => "an exponent left -127..127",
             Self::DivisionByZero => "division by zero",
             Self::TooManyNominals => "more than 16 constants, sweeps, sines and cosines in one model",

@@ -225,7 +225,11 @@ impl Poly {
     }
 
     /// Splits into `key(m) · rest(m)`, keys ascending.
-    pub fn group(&self, key: impl Fn(&Monomial) -> Monomial, rest: impl Fn(&Monomial) -> Monomial) -> Vec<(Monomial, Poly)> {
+    pub fn group(
+        &self,
+        key: impl Fn(&Monomial) -> Monomial,
+        rest: impl Fn(&Monomial) -> Monomial,
+    ) -> Vec<(Monomial, Poly)> {
         let mut terms: Vec<(Monomial, Term)> = self.terms.iter().map(|(m, c)| (key(m), (rest(m), *c))).collect();
         terms.sort_unstable_by(|a, b| (a.0, a.1.0).cmp(&(b.0, b.1.0)));
         let mut groups: Vec<(Monomial, Poly)> = Vec::new();
@@ -240,7 +244,10 @@ impl Poly {
 
     /// Value with `nominal` and `error` giving the symbols' values.
     pub fn evaluate(&self, nominal: impl Fn(NominalId) -> f64, error: impl Fn(ErrorId) -> f64) -> f64 {
-        self.terms.iter().map(|(m, c)| rational::to_f64(c) * m.evaluate(&nominal) * m.errors().map(&error).product::<f64>()).sum()
+        self.terms
+            .iter()
+            .map(|(m, c)| rational::to_f64(c) * m.evaluate(&nominal) * m.errors().map(&error).product::<f64>())
+            .sum()
     }
 }
 

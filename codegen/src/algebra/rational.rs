@@ -55,7 +55,9 @@ pub(super) fn power_of_two(exponent: i8) -> Rational {
 /// gcd of the numerators over lcm of the denominators, so that dividing by it leaves coprime integers; 1 for none.
 /// It only keeps numbers small, any factor would do: where the lcm overflows a smaller one is used.
 pub(super) fn content<'a>(numbers: impl Iterator<Item = &'a Rational>) -> Rational {
-    let step = |(n, d): (i128, i128), r: &Rational| (n.gcd(r.numer()), (d / d.gcd(r.denom())).checked_mul(*r.denom()).unwrap_or(d));
+    let step = |(n, d): (i128, i128), r: &Rational| {
+        (n.gcd(r.numer()), (d / d.gcd(r.denom())).checked_mul(*r.denom()).unwrap_or(d))
+    };
     match numbers.fold((0, 1), step) {
         (0, _) => integer(1),
         (n, d) => Ratio::new(n, d),

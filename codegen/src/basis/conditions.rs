@@ -140,7 +140,9 @@ mod tests {
     }
 
     fn periodic() -> Vec<Condition> {
-        [vec![at(0, 0, 1)], vec![at(0, 1, 1), at(0, 0, -1)], vec![at(1, 1, 1), at(1, 0, -1)]].map(|terms| Condition { terms }).into()
+        [vec![at(0, 0, 1)], vec![at(0, 1, 1), at(0, 0, -1)], vec![at(1, 1, 1), at(1, 0, -1)]]
+            .map(|terms| Condition { terms })
+            .into()
     }
 
     fn pi(power: u32, factor: i128) -> Poly {

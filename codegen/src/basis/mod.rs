@@ -73,7 +73,9 @@ impl Basis {
                 }
                 Ok(functions)
             }
-            (Self::Zero | Self::Known, _) | (_, Coordinate::Rest) | (Self::Fourier(_), Coordinate::Linear(_)) => Ok(Vec::new()),
+            (Self::Zero | Self::Known, _) | (_, Coordinate::Rest) | (Self::Fourier(_), Coordinate::Linear(_)) => {
+                Ok(Vec::new())
+            }
         }
     }
 

@@ -57,7 +57,14 @@ pub(super) fn columns(model: &Model, readings: &[Poly]) -> Result<Columns, Deriv
             let values = function.basis.along(&model.runs[run].at[axis], &model.alphabet)?;
             for (k, (value, suffix)) in values.iter().zip(function.basis.suffixes()).enumerate() {
                 let column = coefficient.times(value, Order::NOMINAL)?;
-                put(&mut found, readings.len(), format!("{name}{suffix}"), Origin::Coefficient(position, k), run, column);
+                put(
+                    &mut found,
+                    readings.len(),
+                    format!("{name}{suffix}"),
+                    Origin::Coefficient(position, k),
+                    run,
+                    column,
+                );
             }
         }
     }

@@ -5,7 +5,7 @@
 //! regressor is its pivot's own column of that rest.
 
 use super::columns::{Columns, Origin};
-use super::{BaseParameter, DeriveError, DerivedRun, Derivation};
+use super::{BaseParameter, Derivation, DeriveError, DerivedRun};
 use crate::algebra::{AlgebraError, Alphabet, Fraction, Monomial, Poly, integer, reduce, subtract};
 use crate::model::Model;
 
@@ -65,7 +65,12 @@ fn matrix(raw: &[Poly], alphabet: &Alphabet) -> Result<(Vec<Monomial>, Vec<Vec<F
 }
 
 /// `Σ monomial · entry`; as the pivot's own column, with its products as they stand, where that is the same.
-fn regressor<'a>(monomials: &[Monomial], entries: impl Iterator<Item = &'a Fraction>, raw: &Poly, alphabet: &Alphabet) -> Result<Fraction, AlgebraError> {
+fn regressor<'a>(
+    monomials: &[Monomial],
+    entries: impl Iterator<Item = &'a Fraction>,
+    raw: &Poly,
+    alphabet: &Alphabet,
+) -> Result<Fraction, AlgebraError> {
     let mut sum = Fraction::zero();
     for (monomial, entry) in monomials.iter().zip(entries).filter(|(_, e)| !e.is_zero()) {
         let minus = Fraction::whole(Poly::term(*monomial, integer(-1)));
@@ -96,7 +101,12 @@ fn name(model: &Model, columns: &Columns, base: Vec<Base>) -> Vec<(BaseParameter
     base.into_iter().map(finish).collect()
 }
 
-fn runs(model: &Model, readings: Vec<Poly>, columns: &Columns, base: &[(BaseParameter, Vec<Fraction>)]) -> Vec<DerivedRun> {
+fn runs(
+    model: &Model,
+    readings: Vec<Poly>,
+    columns: &Columns,
+    base: &[(BaseParameter, Vec<Fraction>)],
+) -> Vec<DerivedRun> {
     let seen = |run: usize| {
         let regressors = base.iter().enumerate().map(move |(i, (_, regressors))| (i, regressors[run].clone()));
         regressors.filter(|(_, r)| !r.is_zero()).collect()
@@ -113,4 +123,3 @@ fn runs(model: &Model, readings: Vec<Poly>, columns: &Columns, base: &[(BasePara
 fn sparse(vector: Vec<Fraction>) -> Vec<(usize, Fraction)> {
     vector.into_iter().enumerate().filter(|(_, f)| !f.is_zero()).collect()
 }
-

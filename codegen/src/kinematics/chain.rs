@@ -16,7 +16,13 @@ pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[Vector;
 }
 
 /// Carries the ball from the last axis' frame to the machine's, matrix times vector: nothing but points is expanded.
-fn position(axes: &[Axis], at: &[Coordinate], ball: &Ball, alphabet: &Alphabet, order: Order) -> Result<Vector, AlgebraError> {
+fn position(
+    axes: &[Axis],
+    at: &[Coordinate],
+    ball: &Ball,
+    alphabet: &Alphabet,
+    order: Order,
+) -> Result<Vector, AlgebraError> {
     let mut point = ball.at.clone();
     if let Some(setup) = ball.setup {
         for (coordinate, error) in point.iter_mut().zip(setup) {

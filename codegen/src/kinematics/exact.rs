@@ -14,10 +14,17 @@ pub trait ErrorValues {
 type Point = [f64; 3];
 
 /// The workpiece ball and the tool ball in machine coordinates, mm, at one value of the sweep (rad).
-pub fn exact_positions(model: &Model, run: &Run, sweep: f64, constant: &impl Fn(&str) -> f64, errors: &impl ErrorValues) -> [Point; 2] {
+pub fn exact_positions(
+    model: &Model,
+    run: &Run,
+    sweep: f64,
+    constant: &impl Fn(&str) -> f64,
+    errors: &impl ErrorValues,
+) -> [Point; 2] {
     let value = |p: &Poly| at(p, &model.alphabet, sweep, constant);
     let position = |axes: &[Axis], coordinates: &[Coordinate], ball: &Ball| {
-        let mut point: Point = core::array::from_fn(|i| value(&ball.at[i]) + ball.setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
+        let mut point: Point =
+            core::array::from_fn(|i| value(&ball.at[i]) + ball.setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
         for (axis, coordinate) in axes.iter().zip(coordinates).rev() {
             let Some(coordinate) = coordinate.poly().map(value) else { continue };
             let direction = core::array::from_fn(|i| value(&axis.direction[i]));

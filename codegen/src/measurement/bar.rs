@@ -55,7 +55,14 @@ fn length(square: &Poly) -> Result<Length, AlgebraError> {
 }
 
 /// The exact radial deviation at one value of the sweep: full products and the Euclidean length, mm.
-pub fn exact_deviation(model: &Model, run: &Run, radius: f64, sweep: f64, constant: &impl Fn(&str) -> f64, errors: &impl ErrorValues) -> f64 {
+pub fn exact_deviation(
+    model: &Model,
+    run: &Run,
+    radius: f64,
+    sweep: f64,
+    constant: &impl Fn(&str) -> f64,
+    errors: &impl ErrorValues,
+) -> f64 {
     let [w, t] = exact_positions(model, run, sweep, constant, errors);
     let v: [f64; 3] = core::array::from_fn(|i| w[i] - t[i]);
     v.iter().map(|x| x * x).sum::<f64>().sqrt() - radius

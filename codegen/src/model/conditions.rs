@@ -13,7 +13,8 @@ pub(super) fn condition(resolver: &mut Resolver, text: &Text) -> Option<Conditio
     let (left, right) = resolver.parsed(text, parse_equation(&text.value))?;
     let scope = Scope { alphabet: &resolver.alphabet, sweep: None };
     let mut terms = Vec::new();
-    let read = collect(&scope, &left, &Poly::one(), &mut terms).and_then(|l| Ok(l && collect(&scope, &right, &Poly::integer(-1), &mut terms)?));
+    let read = collect(&scope, &left, &Poly::one(), &mut terms)
+        .and_then(|l| Ok(l && collect(&scope, &right, &Poly::integer(-1), &mut terms)?));
     match resolver.meaning(text, read)? {
         true if !terms.is_empty() => Some(Condition { terms }),
         _ => resolver.problem(&text.span, ProblemKind::NotACondition),
@@ -21,15 +22,24 @@ pub(super) fn condition(resolver: &mut Resolver, text: &Text) -> Option<Conditio
 }
 
 /// Adds `factor · e` to `terms`; false if e is not linear and homogeneous in f.
-fn collect(scope: &Scope, e: &Expr, factor: &Poly, terms: &mut Vec<(u32, Poly, Poly)>) -> Result<bool, EvaluationError> {
+fn collect(
+    scope: &Scope,
+    e: &Expr,
+    factor: &Poly,
+    terms: &mut Vec<(u32, Poly, Poly)>,
+) -> Result<bool, EvaluationError> {
     match &e.node {
         Node::Call(name, primes, point) if name == "f" => {
             terms.push((*primes, scope.poly(point)?, factor.clone()));
             Ok(true)
         }
         Node::Negative(x) => collect(scope, x, &factor.negated(), terms),
-        Node::Binary(Operator::Plus, x, y) => Ok(collect(scope, x, factor, terms)? && collect(scope, y, factor, terms)?),
-        Node::Binary(Operator::Minus, x, y) => Ok(collect(scope, x, factor, terms)? && collect(scope, y, &factor.negated(), terms)?),
+        Node::Binary(Operator::Plus, x, y) => {
+            Ok(collect(scope, x, factor, terms)? && collect(scope, y, factor, terms)?)
+        }
+        Node::Binary(Operator::Minus, x, y) => {
+            Ok(collect(scope, x, factor, terms)? && collect(scope, y, &factor.negated(), terms)?)
+        }
         Node::Binary(Operator::Times, x, y) if !has_f(x) => {
             let scaled = scope.poly(x)?.times(factor, Order::NOMINAL);
             collect(scope, y, &scaled.map_err(|a| (e.span.clone(), super::Meaning::Algebra(a)))?, terms)

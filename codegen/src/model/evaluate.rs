@@ -55,7 +55,9 @@ impl Scope<'_> {
             Node::Name(name) => self.name(name).ok_or_else(|| (e.span.clone(), Meaning::UnknownName(name.clone()))),
             Node::Negative(x) => Ok(self.poly(x)?.negated()),
             Node::Binary(Operator::Power, x, n) => match self.poly(n)?.as_number() {
-                Some(n) if n.is_integer() && (0..=20).contains(n.numer()) => exact(self.poly(x)?.power(*n.numer() as u32, Order::NOMINAL)),
+                Some(n) if n.is_integer() && (0..=20).contains(n.numer()) => {
+                    exact(self.poly(x)?.power(*n.numer() as u32, Order::NOMINAL))
+                }
                 _ => Err((n.span.clone(), Meaning::Exponent)),
             },
             Node::Binary(operator, x, y) => {
@@ -73,7 +75,10 @@ impl Scope<'_> {
             }
             Node::Call(name, 0, argument) => match name.as_str() {
                 "sin" | "cos" => {
-                    let (sin, cos) = self.angle(argument)?.sin_cos(self.alphabet).map_err(|a| (e.span.clone(), Meaning::Algebra(a)))?;
+                    let (sin, cos) = self
+                        .angle(argument)?
+                        .sin_cos(self.alphabet)
+                        .map_err(|a| (e.span.clone(), Meaning::Algebra(a)))?;
                     Ok(if name == "sin" { sin } else { cos })
                 }
                 "sqrt" => match self.poly(argument)?.as_number().and_then(root) {
@@ -104,7 +109,8 @@ impl Scope<'_> {
 
     fn as_angle(&self, poly: Poly) -> Option<Angle> {
         let mut angle = Angle { sweep: None, eighths: 0, poly: Poly::ZERO };
-        let whole = |c: Rational| c.is_integer().then(|| i32::try_from(*c.numer()).ok()).flatten().filter(|n| n.abs() <= 64);
+        let whole =
+            |c: Rational| c.is_integer().then(|| i32::try_from(*c.numer()).ok()).flatten().filter(|n| n.abs() <= 64);
         for (m, c) in poly.terms() {
             if *m == Monomial::nominal(Alphabet::PI, 1) {
                 angle.eighths = whole(c * Rational::from(4))?;
@@ -154,7 +160,12 @@ impl Angle {
 }
 
 /// Adds the angle of `step` to that of `(sin, cos)`, `count` times.
-fn rotate_times(start: (Poly, Poly), step: &(Poly, Poly), count: i32, alphabet: &Alphabet) -> Result<(Poly, Poly), AlgebraError> {
+fn rotate_times(
+    start: (Poly, Poly),
+    step: &(Poly, Poly),
+    count: i32,
+    alphabet: &Alphabet,
+) -> Result<(Poly, Poly), AlgebraError> {
     let times = |a: &Poly, b: &Poly| a.times(b, Order::NOMINAL);
     (0..count).try_fold(start, |(s, c), _| {
         let sin = times(&s, &step.1)?.plus(&times(&c, &step.0)?)?.normal(alphabet)?;

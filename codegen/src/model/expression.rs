@@ -182,7 +182,11 @@ impl Parser<'_> {
         let start = self.at;
         if self.take("(") {
             let inner = self.sum()?;
-            return if self.take(")") { Ok(Expr { span: start..self.at, ..inner }) } else { Err(self.error(Expected::Closing)) };
+            return if self.take(")") {
+                Ok(Expr { span: start..self.at, ..inner })
+            } else {
+                Err(self.error(Expected::Closing))
+            };
         }
         match self.text[start..].chars().next() {
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(start),
@@ -212,7 +216,14 @@ impl Parser<'_> {
         let primes = self.take_while(|c| c == '\'').len() as u32;
         if !self.take("(") {
             let node = if primes == 0 { Node::Name(name) } else { return Err(self.error(Expected::Operand)) };
-            return Ok(Expr { node, span: start..start + self.text[start..].find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(self.text.len() - start) });
+            return Ok(Expr {
+                node,
+                span: start
+                    ..start
+                        + self.text[start..]
+                            .find(|c: char| !(c.is_alphanumeric() || c == '_'))
+                            .unwrap_or(self.text.len() - start),
+            });
         }
         let argument = self.sum()?;
         if self.take(")") {

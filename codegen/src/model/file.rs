@@ -8,7 +8,10 @@ use toml::de::{DeTable, DeValue};
 
 /// Reads a model file; all problems are reported together, in the order of their places.
 pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
-    let toml = |e: toml::de::Error| Problem { span: e.span().unwrap_or(0..0), kind: ProblemKind::Toml(e.message().to_owned()) };
+    let toml = |e: toml::de::Error| Problem {
+        span: e.span().unwrap_or(0..0),
+        kind: ProblemKind::Toml(e.message().to_owned()),
+    };
     let table = DeTable::parse(source).map_err(|e| vec![toml(e)])?;
     let mut reader = Reader { problems: Vec::new() };
     let draft = reader.draft(table.get_ref());
@@ -22,8 +25,20 @@ pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
     Err(problems)
 }
 
-const TOP: &[&str] =
-    &["name", "title", "notation", "constants", "workpiece", "tool", "estimate", "order", "axis", "names", "run", "function"];
+const TOP: &[&str] = &[
+    "name",
+    "title",
+    "notation",
+    "constants",
+    "workpiece",
+    "tool",
+    "estimate",
+    "order",
+    "axis",
+    "names",
+    "run",
+    "function",
+];
 const AXIS: &[&str] = &["rotary", "linear", "location"];
 const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading"];
 const BALL: &[&str] = &["at", "setup"];
@@ -88,7 +103,11 @@ impl Reader {
 
     fn run(&mut self, name: Text, table: &DeTable) -> DraftRun {
         self.known_keys(table, RUN);
-        let at = self.tables(table, "at").into_iter().filter_map(|(axis, value)| Some((text_of(axis), self.text(value)?))).collect();
+        let at = self
+            .tables(table, "at")
+            .into_iter()
+            .filter_map(|(axis, value)| Some((text_of(axis), self.text(value)?)))
+            .collect();
         DraftRun {
             sweep: self.required(table, "sweep", name.span.clone()),
             at,
@@ -113,12 +132,17 @@ impl Reader {
             DeValue::Table(table) => {
                 self.known_keys(table, BASIS);
                 match (table.get("polynomial"), table.get("fourier")) {
-                    (Some(degree), None) => Some(DraftBasis::Polynomial(self.number(degree, 20)?, self.list(table, "conditions"))),
+                    (Some(degree), None) => {
+                        Some(DraftBasis::Polynomial(self.number(degree, 20)?, self.list(table, "conditions")))
+                    }
                     (None, Some(n)) => Some(DraftBasis::Fourier(self.number(n, 8)?)),
                     _ => self.problem(value.span(), ProblemKind::Missing("polynomial` or `fourier")),
                 }
             }
-            _ => self.problem(value.span(), ProblemKind::Type("a basis: \"known\", \"zero\", { polynomial = n } or { fourier = n }")),
+            _ => self.problem(
+                value.span(),
+                ProblemKind::Type("a basis: \"known\", \"zero\", { polynomial = n } or { fourier = n }"),
+            ),
         }
     }
 

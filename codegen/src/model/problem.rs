@@ -89,7 +89,9 @@ impl fmt::Display for ProblemKind {
             Self::Syntax(expected) => syntax(*expected, f),
             Self::Meaning(meaning) => write_meaning(meaning, f),
             Self::NotACondition => write!(f, "not a linear homogeneous condition on f"),
-            Self::NoBasis(NoBasis::OnlyZero) => write!(f, "no function of this degree but zero satisfies the conditions"),
+            Self::NoBasis(NoBasis::OnlyZero) => {
+                write!(f, "no function of this degree but zero satisfies the conditions")
+            }
             Self::NoBasis(NoBasis::NotPolynomial) => write!(f, "the conditions divide by a sum of constants"),
             Self::NoBasis(NoBasis::Algebra(e)) => fmt::Display::fmt(e, f),
             Self::NoRuns => write!(f, "the model has no run"),
@@ -103,12 +105,20 @@ impl ProblemKind {
         Some(match self {
             Self::UnknownKey(_, known) | Self::OneOf(_, known) => format!("expected {}", list(known)),
             Self::NotAName(_) => "a letter first, then letters, digits and underscores".into(),
-            Self::Unplaced(_) => "name it in `workpiece = […]` or `tool = […]`, from the machine's base outwards".into(),
-            Self::NoCoordinate(axis) => format!("add `{axis} = \"…\"` to `at`: an expression of the sweep, or \"rest\""),
+            Self::Unplaced(_) => {
+                "name it in `workpiece = […]` or `tool = […]`, from the machine's base outwards".into()
+            }
+            Self::NoCoordinate(axis) => {
+                format!("add `{axis} = \"…\"` to `at`: an expression of the sweep, or \"rest\"")
+            }
             Self::UnknownError(_) => "an ISO 230-1 name such as EYY or EAA, or the model's own name for it".into(),
-            Self::NotALocation(_) => "EX0, EY0, EZ0 for offsets, EA0, EB0, EC0 for orientation, followed by the axis' name".into(),
+            Self::NotALocation(_) => {
+                "EX0, EY0, EZ0 for offsets, EA0, EB0, EC0 for orientation, followed by the axis' name".into()
+            }
             Self::NotThree(_) => "three expressions, along x, y and z".into(),
-            Self::NotAUnitVector => "`x`, `-y`, or three components such as [\"0\", \"1/sqrt(2)\", \"1/sqrt(2)\"]".into(),
+            Self::NotAUnitVector => {
+                "`x`, `-y`, or three components such as [\"0\", \"1/sqrt(2)\", \"1/sqrt(2)\"]".into()
+            }
             Self::NotAConstant(_) => "name it in `constants = […]`".into(),
             Self::NothingToEstimate(_) => "give it a polynomial or a Fourier sum under [function]".into(),
             Self::NotACondition => "for example \"f(0) = 0\", \"f(2*pi) = f(0)\", \"f'(2*pi) = f'(0)\"".into(),
@@ -116,7 +126,9 @@ impl ProblemKind {
             Self::NoRuns => "describe at least one under [run.NAME]".into(),
             Self::Meaning(Meaning::UnknownName(_)) => "the sweep of this run, `pi`, or one of `constants`".into(),
             Self::Meaning(Meaning::UnknownFunction(_)) => "expected sin, cos or sqrt".into(),
-            Self::Meaning(Meaning::NotAnAngle) => "whole multiples of the sweep plus whole multiples of pi/4 have an exact sine".into(),
+            Self::Meaning(Meaning::NotAnAngle) => {
+                "whole multiples of the sweep plus whole multiples of pi/4 have an exact sine".into()
+            }
             _ => return None,
         })
     }

@@ -5,7 +5,7 @@ use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, Draft
 use super::evaluate::{EvaluationError, Scope};
 use super::expression::{Expr, Span, SyntaxError, parse};
 use super::{Notation, Problem, ProblemKind, conditions, iso_location, iso_motion};
-use crate::algebra::{Alphabet, AlgebraError, ErrorId, NominalId, Order, Poly, Quantity, SweepId, Vector, dot};
+use crate::algebra::{AlgebraError, Alphabet, ErrorId, NominalId, Order, Poly, Quantity, SweepId, Vector, dot};
 use crate::basis::{Basis, satisfying};
 
 pub(super) fn resolve(draft: &Draft) -> Result<Model, Vec<Problem>> {
@@ -70,7 +70,9 @@ impl Resolver {
         }
         let mut functions: Vec<Function> = draft.functions.iter().filter_map(|f| self.function(f, &axes)).collect();
         for (i, f) in draft.functions.iter().enumerate() {
-            let same = |g: &DraftFunction| self.error(&g.error.value).is_some() && self.error(&g.error.value) == self.error(&f.error.value);
+            let same = |g: &DraftFunction| {
+                self.error(&g.error.value).is_some() && self.error(&g.error.value) == self.error(&f.error.value)
+            };
             if draft.functions[..i].iter().any(same) {
                 self.problem::<()>(&f.error.span, ProblemKind::Taken(f.error.value.clone()));
             }
@@ -117,7 +119,10 @@ impl Resolver {
         let mut location = [None; 6];
         for text in &axis.location {
             match Component::ALL.into_iter().find(|c| iso_location(*c, name) == text.value) {
-                Some(c) => location[c.index()] = self.make_error(&text.span, text.value.clone(), notation.location(c, name), c, names),
+                Some(c) => {
+                    location[c.index()] =
+                        self.make_error(&text.span, text.value.clone(), notation.location(c, name), c, names)
+                }
                 None => self.problem(&text.span, ProblemKind::NotALocation(text.value.clone())).unwrap_or(()),
             }
         }
@@ -126,11 +131,24 @@ impl Resolver {
             motion.extend(self.make_error(&axis.name.span, iso_motion(c, name), notation.motion(c, name), c, names));
         }
         let direction = self.direction(axis);
-        Some(Axis { name: name.clone(), kind: axis.kind, direction: direction?, location, motion: motion.try_into().ok()? })
+        Some(Axis {
+            name: name.clone(),
+            kind: axis.kind,
+            direction: direction?,
+            location,
+            motion: motion.try_into().ok()?,
+        })
     }
 
     /// Makes an error under the model's own name for it, if it has one.
-    fn make_error(&mut self, span: &Span, iso: String, name: String, c: Component, names: &mut Vec<(Text, Text)>) -> Option<ErrorId> {
+    fn make_error(
+        &mut self,
+        span: &Span,
+        iso: String,
+        name: String,
+        c: Component,
+        names: &mut Vec<(Text, Text)>,
+    ) -> Option<ErrorId> {
         let own = names.iter().position(|(i, _)| i.value == iso).map(|at| names.swap_remove(at).1);
         let (name, span) = own.map_or((name, span.clone()), |text| (text.value, text.span));
         let text = Text { value: name, span: span.clone() };
@@ -151,7 +169,8 @@ impl Resolver {
     fn direction(&mut self, axis: &DraftAxis) -> Option<Vector> {
         let direction = match axis.direction.as_slice() {
             [single] => {
-                let unit = |i: usize, sign: i128| core::array::from_fn(|j| Poly::integer(if i == j { sign } else { 0 }));
+                let unit =
+                    |i: usize, sign: i128| core::array::from_fn(|j| Poly::integer(if i == j { sign } else { 0 }));
                 let signed = [("x", 0, 1), ("y", 1, 1), ("z", 2, 1), ("-x", 0, -1), ("-y", 1, -1), ("-z", 2, -1)];
                 match signed.iter().find(|(name, ..)| *name == single.value) {
                     Some((_, i, sign)) => unit(*i, *sign),
@@ -162,7 +181,11 @@ impl Resolver {
         };
         let square = dot(&direction, &direction, Order::NOMINAL).and_then(|p| p.normal(&self.alphabet));
         let span = axis.direction.first().map_or(axis.name.span.clone(), |t| t.span.clone());
-        if self.exact(&span, square)? == Poly::one() { Some(direction) } else { self.problem(&span, ProblemKind::NotAUnitVector) }
+        if self.exact(&span, square)? == Poly::one() {
+            Some(direction)
+        } else {
+            self.problem(&span, ProblemKind::NotAUnitVector)
+        }
     }
 
     /// Three expressions; an empty list is the origin.
@@ -268,14 +291,18 @@ impl Resolver {
         let basis = match &f.basis {
             DraftBasis::Zero => Basis::Zero,
             DraftBasis::Known => Basis::Known,
-            DraftBasis::Fourier(_) if axis.kind == AxisKind::Linear => return self.problem(&f.error.span, ProblemKind::FourierOfLength),
+            DraftBasis::Fourier(_) if axis.kind == AxisKind::Linear => {
+                return self.problem(&f.error.span, ProblemKind::FourierOfLength);
+            }
             DraftBasis::Fourier(n) => Basis::Fourier(*n),
             DraftBasis::Polynomial(degree, written) if written.is_empty() => Basis::polynomial(*degree),
             DraftBasis::Polynomial(degree, written) => {
                 let conditions: Vec<_> = written.iter().filter_map(|text| conditions::condition(self, text)).collect();
                 (conditions.len() == written.len()).then_some(())?;
                 let functions = satisfying(*degree, &conditions, &self.alphabet);
-                Basis::Polynomials(functions.map_or_else(|e| self.problem(&f.error.span, ProblemKind::NoBasis(e)), Some)?)
+                Basis::Polynomials(
+                    functions.map_or_else(|e| self.problem(&f.error.span, ProblemKind::NoBasis(e)), Some)?,
+                )
             }
         };
         Some(Function { error, basis, estimate: false })

@@ -65,22 +65,33 @@ impl<'a> Document<'a> {
 
     /// A base parameter in physical ones.
     pub fn definition(&self, definition: &[(usize, Fraction)]) -> String {
-        self.printer.combination(definition.iter().map(|(j, f)| (f, self.printer.name(&self.derivation.parameters[*j].name))))
+        self.printer
+            .combination(definition.iter().map(|(j, f)| (f, self.printer.name(&self.derivation.parameters[*j].name))))
     }
 
     /// A run's model equation, eqs. (7) and (9): known functions, then the base parameters.
     pub fn equation(&self, run: &DerivedRun) -> String {
-        let known: Vec<(Fraction, String)> =
-            run.known.iter().map(|(f, p)| (Fraction::whole(p.clone()), self.error(self.model.functions[*f].error))).collect();
+        let known: Vec<(Fraction, String)> = run
+            .known
+            .iter()
+            .map(|(f, p)| (Fraction::whole(p.clone()), self.error(self.model.functions[*f].error)))
+            .collect();
         let estimated = self.estimated(run);
         let lumped = run.regressors.iter().filter(|(b, _)| self.derivation.base[*b].estimates.is_none());
         let lumped = lumped.map(|(b, r)| (r, self.printer.name(&self.derivation.base[*b].name)));
-        self.printer.combination(known.iter().map(|(f, n)| (f, n.clone())).chain(estimated.iter().map(|(f, n)| (f, n.clone()))).chain(lumped))
+        self.printer.combination(
+            known
+                .iter()
+                .map(|(f, n)| (f, n.clone()))
+                .chain(estimated.iter().map(|(f, n)| (f, n.clone())))
+                .chain(lumped),
+        )
     }
 
     /// The estimated functions with their coefficients in the reading: `R·e_xa`.
     fn estimated(&self, run: &DerivedRun) -> Vec<(Fraction, String)> {
-        let coefficient = |error: ErrorId| run.reading.by_errors().into_iter().find(|(m, _)| m.errors().next() == Some(error));
+        let coefficient =
+            |error: ErrorId| run.reading.by_errors().into_iter().find(|(m, _)| m.errors().next() == Some(error));
         let functions = self.model.functions.iter().filter(|f| f.estimate);
         functions.filter_map(|f| Some((Fraction::whole(coefficient(f.error)?.1), self.error(f.error)))).collect()
     }
@@ -98,14 +109,21 @@ impl<'a> Document<'a> {
             Basis::Zero => Some("0".to_owned()),
             Basis::Known => None,
             Basis::Polynomials(p) => {
-                let terms = p.iter().zip(names).map(|(u, name)| term(name, self.univariate(u, x), u.0.iter().filter(|c| !c.is_zero()).count() > 1));
+                let terms = p.iter().zip(names).map(|(u, name)| {
+                    term(name, self.univariate(u, x), u.0.iter().filter(|c| !c.is_zero()).count() > 1)
+                });
                 Some(self.printer.sum(terms))
             }
             Basis::Fourier(n) => {
                 let wave = |k: u8, sin: bool| {
                     let name = if sin { "sin" } else { "cos" };
-                    let times = if k == 1 { x.to_owned() } else { self.printer.product(&[k.to_string(), x.to_owned()]) };
-                    if self.printer.style == Style::Latex { format!("\\{name} {times}") } else { format!("{name}({times})") }
+                    let times =
+                        if k == 1 { x.to_owned() } else { self.printer.product(&[k.to_string(), x.to_owned()]) };
+                    if self.printer.style == Style::Latex {
+                        format!("\\{name} {times}")
+                    } else {
+                        format!("{name}({times})")
+                    }
                 };
                 let values = (1..=*n).flat_map(|k| [wave(k, false), wave(k, true)]);
                 Some(self.printer.sum(names.zip(values).map(|(name, value)| term(name, value, false))))
@@ -119,10 +137,18 @@ impl<'a> Document<'a> {
             (1, _) => x.to_owned(),
             (_, Style::Latex) => format!("{x}^{{{n}}}"),
             (_, Style::Plain) => format!("{x}**{n}"),
-            (_, Style::Pretty) => format!("{x}{}", ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'].get(n).map_or(format!("^{n}"), char::to_string)),
+            (_, Style::Pretty) => format!(
+                "{x}{}",
+                ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'].get(n).map_or(format!("^{n}"), char::to_string)
+            ),
         };
         let terms: Vec<(Fraction, usize)> =
-            u.0.iter().enumerate().rev().filter(|(_, c)| !c.is_zero()).map(|(n, c)| (Fraction::whole(c.clone()), n)).collect();
+            u.0.iter()
+                .enumerate()
+                .rev()
+                .filter(|(_, c)| !c.is_zero())
+                .map(|(n, c)| (Fraction::whole(c.clone()), n))
+                .collect();
         let constant = terms.iter().find(|(_, n)| *n == 0).map(|(f, _)| self.printer.fraction(f));
         let powers = self.printer.combination(terms.iter().filter(|(_, n)| *n > 0).map(|(f, n)| (f, power(*n))));
         match (constant, terms.len()) {

@@ -9,18 +9,22 @@ use serde_json::{Map, Value, json};
 /// `{"model", "rank", "coefficients", "functions", "kernel", "unseen", "runs"}`; in `kernel` each entry maps parameters to their factors.
 pub fn json(model: &Model, derivation: &Derivation) -> Value {
     let d = Document::new(model, derivation, Style::Plain);
-    let coefficients = derivation.base.iter().map(|b| json!({ "name": b.name, "definition": d.definition(&b.definition) }));
+    let coefficients =
+        derivation.base.iter().map(|b| json!({ "name": b.name, "definition": d.definition(&b.definition) }));
     let functions = model.functions.iter().enumerate().map(|(i, f)| {
         let x = d.coordinate(i);
         let expression = d.function(i, &x).unwrap_or_else(|| "known".to_owned());
         json!({ "name": d.error(f.error), "coordinate": x, "expression": expression, "estimated": f.estimate })
     });
     let kernel = derivation.kernel.iter().map(|vector| {
-        let entry = |(j, f): &(usize, crate::algebra::Fraction)| (derivation.parameters[*j].name.clone(), Value::from(d.printer.fraction(f)));
+        let entry = |(j, f): &(usize, crate::algebra::Fraction)| {
+            (derivation.parameters[*j].name.clone(), Value::from(d.printer.fraction(f)))
+        };
         Value::Object(vector.iter().map(entry).collect::<Map<_, _>>())
     });
     let runs = derivation.runs.iter().map(|run| {
-        let regressors = run.regressors.iter().map(|(b, r)| (derivation.base[*b].name.clone(), Value::from(d.printer.fraction(r))));
+        let regressors =
+            run.regressors.iter().map(|(b, r)| (derivation.base[*b].name.clone(), Value::from(d.printer.fraction(r))));
         let known = run.known.iter().map(|(f, p)| (d.error(model.functions[*f].error), Value::from(d.printer.poly(p))));
         json!({
             "name": run.name,

@@ -22,6 +22,12 @@ pub fn latex(model: &Model, derivation: &Derivation) -> String {
         Some(format!("{}({x}) &= {}", d.error(f.error), d.function(i, &x)?))
     };
     align(model.functions.iter().enumerate().filter_map(function).collect());
-    align(derivation.base.iter().map(|b| format!("{} &= {}", d.printer.name(&b.name), d.definition(&b.definition))).collect());
+    align(
+        derivation
+            .base
+            .iter()
+            .map(|b| format!("{} &= {}", d.printer.name(&b.name), d.definition(&b.definition)))
+            .collect(),
+    );
     out
 }

@@ -42,7 +42,8 @@ impl Printer<'_> {
     /// `Σ factor · name`, names bare where the factor is ±1.
     pub fn combination<'n>(&self, terms: impl Iterator<Item = (&'n Fraction, String)>) -> String {
         self.sum(terms.map(|(factor, name)| {
-            let negative = factor.denominator().is_none() && matches!(factor.numerator().terms(), [(_, c)] if *c < Rational::from(0));
+            let negative = factor.denominator().is_none()
+                && matches!(factor.numerator().terms(), [(_, c)] if *c < Rational::from(0));
             let size = if negative { factor.negated() } else { factor.clone() };
             let text = match size.numerator().as_number().filter(|_| size.denominator().is_none()) {
                 Some(n) if n == Rational::from(1) => name,
@@ -139,7 +140,9 @@ impl Printer<'_> {
         if self.style != Style::Latex {
             return name.to_owned();
         }
-        let is_iso = |n: &str| n.len() > 2 && n.starts_with('E') && n.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit());
+        let is_iso = |n: &str| {
+            n.len() > 2 && n.starts_with('E') && n.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit())
+        };
         let (head, tail) = match name.split_once('_') {
             Some((head, tail)) => (head, tail),
             None if is_iso(name) => name.split_at(1),
@@ -161,7 +164,9 @@ mod tests {
         alphabet.constant("R").unwrap();
         let sweep = alphabet.sweep("a").unwrap();
         let e = Poly::error(alphabet.error("e_xy", Quantity::Angle).unwrap());
-        let nominal = Scope { alphabet: &alphabet, sweep: Some(sweep) }.poly(&parse("-3*sqrt(2)*pi*R**2*sin(a)**3/(2*R**3) + R*a").unwrap()).unwrap();
+        let nominal = Scope { alphabet: &alphabet, sweep: Some(sweep) }
+            .poly(&parse("-3*sqrt(2)*pi*R**2*sin(a)**3/(2*R**3) + R*a").unwrap())
+            .unwrap();
         let p = nominal.times(&e, Order::LINEAR).unwrap();
         let print = |style| Printer { alphabet: &alphabet, style }.poly(&p);
         assert_eq!(print(Style::Plain), "-3*pi*sqrt(2)*s**3*e_xy/(2*R) + R*a*e_xy");

@@ -35,7 +35,9 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
     }
     let _ = writeln!(out, "\nKernel: changing the parameters along any of these changes no reading");
     for vector in &derivation.kernel {
-        let part = |(j, f): &(usize, crate::algebra::Fraction)| format!("{}: {}", derivation.parameters[*j].name, d.printer.fraction(f));
+        let part = |(j, f): &(usize, crate::algebra::Fraction)| {
+            format!("{}: {}", derivation.parameters[*j].name, d.printer.fraction(f))
+        };
         let _ = writeln!(out, "  {}", vector.iter().map(part).collect::<Vec<_>>().join(", "));
     }
     let unseen: Vec<&str> = derivation.unseen.iter().map(|e| model.alphabet.error_name(*e)).collect();

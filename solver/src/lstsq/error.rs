@@ -1,0 +1,70 @@
+//! What can be wrong with a sample, and with a solve.
+
+use super::Subset;
+use core::{error, fmt};
+
+/// Why a sample, or a factor to merge, was not taken. The factor is as it was before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rejected {
+    /// A regressor or the measured value is NaN or infinite.
+    NotFinite,
+    /// The weight is negative, NaN or infinite.
+    Weight,
+    /// The values are finite, but so large (or so small beside each other) that the factor would not be.
+    Overflow,
+}
+
+/// Columns of the design that the data cannot tell apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Confounded<const P: usize> {
+    /// The first coefficient that the ones before it leave undetermined.
+    pub pivot: usize,
+    /// `pivot` and the earlier coefficients whose columns combine to its column. Only `pivot` if its column is zero.
+    pub involved: Subset<P>,
+    /// How many of the `P` columns are independent.
+    pub rank: usize,
+}
+
+/// Why a factor has no solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SolveError<const P: usize> {
+    /// Fewer samples than the coefficients and the residual need.
+    TooFewSamples {
+        /// Samples of positive weight taken so far.
+        samples: u32,
+        /// Samples needed.
+        needed: usize,
+    },
+    /// Coefficients that the samples cannot tell apart, whatever their number.
+    RankDeficient(Confounded<P>),
+    /// A given value is not finite, or a result would not be.
+    NotFinite,
+}
+
+impl fmt::Display for Rejected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotFinite => "a value of the sample is not a finite number",
+            Self::Weight => "the weight is negative or not a finite number",
+            Self::Overflow => "the values are beyond the range of the arithmetic",
+        })
+    }
+}
+
+impl<const P: usize> fmt::Display for SolveError<P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFewSamples { samples, needed } => {
+                write!(f, "{samples} samples where at least {needed} are needed")
+            }
+            Self::RankDeficient(c) => {
+                write!(f, "rank {} of {P}; the data do not separate coefficients", c.rank)?;
+                c.involved.iter().try_for_each(|i| write!(f, " {i}"))
+            }
+            Self::NotFinite => f.write_str("a value is not a finite number"),
+        }
+    }
+}
+
+impl error::Error for Rejected {}
+impl<const P: usize> error::Error for SolveError<P> {}

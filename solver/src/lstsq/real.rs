@@ -1,0 +1,30 @@
+//! The scalar: `f32` or `f64`, with or without the standard library.
+
+use core::fmt::{Debug, Display};
+use num_traits::{Float, NumAssign};
+
+/// A floating-point scalar of the solver: `f32` or `f64`.
+pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
+    /// The value nearest to `x` (dimensionless). Never panics, unlike `NumCast::from(x).unwrap()`.
+    fn of(x: f64) -> Self;
+
+    /// The value nearest to a count of samples.
+    fn of_count(n: u32) -> Self;
+}
+
+macro_rules! real {
+    ($($t:ty)*) => {$(
+        impl Real for $t {
+            #[inline]
+            fn of(x: f64) -> Self {
+                x as $t
+            }
+
+            #[inline]
+            fn of_count(n: u32) -> Self {
+                n as $t
+            }
+        }
+    )*};
+}
+real!(f32 f64);
