@@ -1,1 +1,3 @@
 //! Facade of the workspace: what the command line and other programs use.
+
+pub mod data;
