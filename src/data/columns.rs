@@ -68,7 +68,7 @@ pub(crate) fn resolve(
     let mut found: Vec<Option<Column>> = vec![None; wanted.len()];
     let mut misnamed = vec![false; wanted.len()];
     for (at, field) in header.iter().enumerate() {
-        // A name such as `d` is also the beginning of `d_um`'s neighbour `d_x_um`: a unit that fits decides.
+        // `a` is also the beginning of `a_x_um`: the column whose unit fits comes first.
         let candidates = || {
             wanted
                 .iter()

@@ -77,7 +77,7 @@ pub enum Problem {
     #[error("{} bad lines", .0.len())]
     Lines(Vec<LineProblem>),
     /// Fewer samples than needed.
-    #[error("too few samples: {present} present, at least {needed} needed\n  expected {why}")]
+    #[error("too few {}: {present} present, at least {needed} needed\n  expected {why}", .why.counted())]
     TooFew {
         /// Samples in the file.
         present: usize,
@@ -110,6 +110,16 @@ pub enum Problem {
         /// The readings' column.
         column: String,
     },
+    /// Angles of more turns than an axis makes in a run.
+    #[error("angles reach {angle:.1} rad, {turns:.1} turns\n  expected at most {most} turns: are the angles in {column} degrees? Then name it with _deg", angle = .angle_rad, turns = .angle_rad / std::f64::consts::TAU)]
+    ManyTurns {
+        /// The largest angle, without its sign, rad.
+        angle_rad: f64,
+        /// Turns taken.
+        most: f64,
+        /// The angles' column.
+        column: String,
+    },
     /// Samples outside a table's range; the file is the samples'.
     #[error("{} samples outside the range of {}", .samples.len(), .table.display())]
     OutsideTable {
@@ -131,6 +141,15 @@ pub enum Need {
     /// Two nodes to interpolate between.
     #[error("at least two angles to interpolate between")]
     Interpolation,
+}
+
+impl Need {
+    const fn counted(self) -> &'static str {
+        match self {
+            Need::Coefficients => "samples",
+            Need::Interpolation => "angles",
+        }
+    }
 }
 
 /// Separators that are not commas.
@@ -357,12 +376,16 @@ fn more(f: &mut fmt::Formatter<'_>, total: usize) -> fmt::Result {
     }
 }
 
-/// An angle in rad, shown in degrees without the last digits of the conversion.
+/// An angle in rad, shown in degrees without the last digits of the conversion and without a sign at zero.
 struct Degrees(f64);
 
 impl fmt::Display for Degrees {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}°", Unit::Deg.decimal(self.0).trim_end_matches(".0"))
+        write!(
+            f,
+            "{}°",
+            Unit::Deg.decimal(self.0 + 0.0).trim_end_matches(".0")
+        )
     }
 }
 

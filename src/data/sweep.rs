@@ -1,6 +1,7 @@
 //! One run of the ball-bar.
 
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use super::atomic::{WriteError, write_columns};
@@ -12,6 +13,9 @@ use super::unit::{Dimension, Role, Unit};
 
 /// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
 const BEYOND_STROKE_MM: f64 = 2.0;
+
+/// An angle beyond this many turns is none of a run.
+const MOST_TURNS: f64 = 10.0;
 
 /// The readings' column without its unit.
 const READING: &str = "dr";
@@ -41,7 +45,7 @@ impl Sweep {
     ///
     /// # Errors
     /// [`FileError`] where the file cannot be read or is no such file; where an angle comes twice (repeated sweeps are
-    /// files of their own); where there are fewer than `least` samples; where the readings are absolute lengths or
+    /// files of their own) or is beyond ten turns; where there are fewer than `least` samples; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
         let wanted = [
@@ -66,12 +70,9 @@ impl Sweep {
                 _ => None,
             })
             .collect();
-        let column = columns
-            .into_iter()
-            .nth(1)
-            .map(|column| column.name)
-            .unwrap_or_default();
-        match check(&samples, radius, least, column) {
+        let mut names = columns.into_iter().map(|column| column.name);
+        let names = [names.next(), names.next()].map(Option::unwrap_or_default);
+        match check(&samples, radius, least, names) {
             Some(problem) => Err(FileError {
                 file: file.to_owned(),
                 problem,
@@ -84,7 +85,7 @@ impl Sweep {
     }
 
     /// A run that comes from elsewhere (a simulation), with lines as [`Sweep::write`] gives them; pairs of angle in rad
-    /// and reading in mm. `file` is where it will stand.
+    /// and reading in mm, which are not checked here. `file` is where it will stand.
     pub fn new(file: impl Into<PathBuf>, samples: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let samples = (2..)
             .zip(samples)
@@ -153,7 +154,12 @@ impl Sweep {
     }
 }
 
-fn check(samples: &[Sample], radius: Radius, least: usize, column: String) -> Option<Problem> {
+fn check(
+    samples: &[Sample],
+    radius: Radius,
+    least: usize,
+    [angle, reading]: [String; 2],
+) -> Option<Problem> {
     let mut seen = HashMap::new();
     let mut bad = Vec::new();
     for Sample {
@@ -174,6 +180,17 @@ fn check(samples: &[Sample], radius: Radius, least: usize, column: String) -> Op
     }
     if !bad.is_empty() {
         return Some(Problem::Lines(bad));
+    }
+    let angle_rad = samples
+        .iter()
+        .map(|sample| sample.angle_rad.abs())
+        .fold(0.0, f64::max);
+    if angle_rad > MOST_TURNS * TAU {
+        return Some(Problem::ManyTurns {
+            angle_rad,
+            most: MOST_TURNS,
+            column: angle,
+        });
     }
     if samples.len() < least {
         return Some(Problem::TooFew {
@@ -199,7 +216,7 @@ fn check(samples: &[Sample], radius: Radius, least: usize, column: String) -> Op
     } else {
         Some(Problem::BeyondStroke {
             median_mm,
-            column,
+            column: reading,
             radius_mm: radius.mm(),
         })
     }

@@ -35,6 +35,13 @@ pub(crate) const FRAME: Ink = Ink {
     width: 1.0,
 };
 
+/// Behind a text that stands on lines.
+pub(crate) const PAPER: Ink = Ink {
+    rgb: (255, 255, 255),
+    alpha: 0.85,
+    width: 0.0,
+};
+
 /// Colour, opacity and line width in pixels.
 #[derive(Clone, Copy)]
 pub(crate) struct Ink {
@@ -110,7 +117,10 @@ pub(crate) fn draw(
         canvas.area.present().map_err(failed)?;
     }
     let large = format!("width=\"{}\" height=\"{}\"", sheet.0, sheet.1);
-    let shown = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
+    let shown = format!(
+        "stroke-linejoin=\"round\" width=\"{}\" height=\"{}\"",
+        size.0, size.1
+    );
     Ok(subscripts(&text.replacen(&large, &shown, 1)))
 }
 
@@ -190,6 +200,8 @@ fn subscripts(svg: &str) -> String {
             rest = next;
         } else {
             let (raised, again) = same.split_at(same.find("_{").unwrap_or(same.len()));
+            // A space at the beginning of a span would be dropped.
+            let raised = raised.replace(' ', "\u{a0}");
             out.push_str(&format!("<tspan dy=\"-0.18em\">{raised}</tspan>"));
             rest = tail
                 .get(tail.len() - again.len() - next.len()..)

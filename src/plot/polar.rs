@@ -1,6 +1,6 @@
 //! The picture of a ball-bar test: radial deviations around the circle, magnified.
 
-use super::canvas::{Anchor, Canvas, FRAME, GRID, ZERO, draw, width};
+use super::canvas::{Anchor, Canvas, FRAME, GRID, PAPER, ZERO, draw, width};
 use super::line::{legend, shape};
 use super::series::{Axis, Extent, PlotError, Series, Shape};
 use super::ticks::Ticks;
@@ -56,7 +56,7 @@ impl PolarChart {
     pub fn svg(&self) -> Result<String, PlotError> {
         let extent = Extent::of(&self.series, 1)?;
         // Zero, the nominal circle, is always on the picture.
-        let ticks = Ticks::decimal((extent.y.0.min(0.0), extent.y.1.max(0.0)), 5);
+        let ticks = Ticks::decimal((extent.y.0.min(0.0), extent.y.1.max(0.0)), 6);
         let top = if self.title.is_empty() { 8.0 } else { TITLE };
         let dial = Dial {
             centre: (SIZE / 2.0, top + LEGEND + 30.0 + OUTER),
@@ -108,14 +108,18 @@ fn grid(canvas: &Canvas, dial: &Dial) -> Result<(), PlotError> {
     canvas.line(dial.ring(high), FRAME)
 }
 
+/// The ticks' values, each just inside its circle.
 fn scale(canvas: &Canvas, dial: &Dial) -> Result<(), PlotError> {
+    let size = TEXT - 2.0;
     dial.ticks.at.iter().try_for_each(|tick| {
-        canvas.text(
-            &dial.ticks.label(*tick),
-            dial.at((SCALE_AT, *tick)),
-            TEXT - 2.0,
-            Anchor::Centre,
-        )
+        let (label, (x, on)) = (dial.ticks.label(*tick), dial.at((SCALE_AT, *tick)));
+        let (y, half) = (on + 10.0, width(&label, size) / 2.0 + 2.0);
+        let (left, right, above, below) = (x - half, x + half, y - 7.0, y + 7.0);
+        canvas.area(
+            [(left, above), (right, above), (right, below), (left, below)],
+            PAPER,
+        )?;
+        canvas.text(&label, (x, y), size, Anchor::Centre)
     })
 }
 
