@@ -273,10 +273,12 @@ fn nothing_half_written_is_left() {
         bad.write("a", Unit::Um, Unit::Um).unwrap_err().problem,
         WriteProblem::Unit(Unit::Um)
     );
-    assert!(write_atomically(kept.path(), b"a directory").is_err());
+    let taken = kept.path().join("taken");
+    fs::create_dir(&taken).unwrap();
+    assert!(write_atomically(&taken, b"a directory").is_err());
     assert!(write_atomically(&kept.path().join("none/run.csv"), b"no directory").is_err());
     assert_eq!(fs::read(&path).unwrap(), b"before");
-    assert_eq!(fs::read_dir(kept.path()).unwrap().count(), 1);
+    assert_eq!(fs::read_dir(kept.path()).unwrap().count(), 2);
 }
 
 #[test]
@@ -307,8 +309,7 @@ fn message(error: &FileError) -> String {
 
 /// What a file holds, as far as a reader of the snapshot has to see it.
 fn excerpt(contents: &[u8]) -> String {
-    let text = String::from_utf8_lossy(contents)
-        .replace(['\u{feff}', '\0'], \"\");
+    let text = String::from_utf8_lossy(contents).replace(['\u{feff}', '\0'], "");
     text.lines()
         .take(6)
         .map(|line| format!("    | {line}\n"))

@@ -200,9 +200,14 @@ fn subscripts(svg: &str) -> String {
             rest = next;
         } else {
             let (raised, again) = same.split_at(same.find("_{").unwrap_or(same.len()));
-            // A space at the beginning of a span would be dropped.
-            let raised = raised.replace(' ', "\u{a0}");
-            out.push_str(&format!("<tspan dy=\"-0.18em\">{raised}</tspan>"));
+            // Readers drop a space at the beginning of a span: it is a shift.
+            let space = if raised.starts_with(' ') {
+                " dx=\"0.28em\""
+            } else {
+                ""
+            };
+            let raised = raised.trim_start();
+            out.push_str(&format!("<tspan{space} dy=\"-0.18em\">{raised}</tspan>"));
             rest = tail
                 .get(tail.len() - again.len() - next.len()..)
                 .unwrap_or_default();
@@ -210,4 +215,27 @@ fn subscripts(svg: &str) -> String {
     }
     out.push_str(rest);
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn subscripts_are_lowered_and_the_rest_raised_again() {
+        let low = |text: &str| format!("<tspan dy=\"0.25em\" font-size=\"72%\">{text}</tspan>");
+        let expected = format!(
+            "e{}<tspan dy=\"-0.18em\">, d</tspan>{}\n",
+            low("xa"),
+            low("ya")
+        );
+        assert_eq!(subscripts("e_{xa}, d_{ya}\n"), expected);
+        let expected = format!(
+            "e{}\ne{}<tspan dx=\"0.28em\" dy=\"-0.18em\">true</tspan>",
+            low("1"),
+            low("2")
+        );
+        assert_eq!(subscripts("e_{1}\ne_{2} true"), expected);
+        assert_eq!(subscripts("a_b _{open"), "a_b _{open");
+    }
 }

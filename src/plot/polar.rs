@@ -75,10 +75,10 @@ impl PolarChart {
             }
             legend(canvas, &self.series, (24.0, top + LEGEND / 2.0))?;
             grid(canvas, &dial)?;
+            scale(canvas, &dial)?;
             closed
                 .iter()
                 .try_for_each(|series| shape(canvas, series, |point| dial.at(point)))?;
-            scale(canvas, &dial)?;
             let unit = self.deviation.title();
             canvas.text(
                 &unit,
