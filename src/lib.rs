@@ -1,1 +1,4 @@
 //! Facade of the workspace: what the command line and other programs use.
+
+pub mod data;
+pub mod plot;

@@ -1,0 +1,26 @@
+//! Reading and writing of measurement files.
+//!
+//! A file is CSV: a header line whose column names carry their units (`a_deg,dr_um`), then one line a sample. Names are
+//! case-sensitive, blanks around a field are dropped; a UTF-8 byte order mark, CRLF, empty lines and lines that begin
+//! with `#` are allowed. Angles need no order. Inside, lengths are in mm and angles in rad.
+//!
+//! [`Sweep`] is one run of the ball-bar, [`Table`] the functions known beforehand. Whatever is wrong with a file comes
+//! back as one [`FileError`] with every bad line in it. What cannot be seen: a file cut exactly at the end of a line.
+
+mod atomic;
+mod columns;
+mod error;
+mod lines;
+mod radius;
+mod sweep;
+mod table;
+mod truth;
+mod unit;
+
+pub use atomic::{WriteError, WriteProblem, write_atomically};
+pub use error::{FieldProblem, FileError, HeaderProblem, LineProblem, Problem, Separator};
+pub use radius::{Radius, RadiusError};
+pub use sweep::{Sample, Sweep};
+pub use table::{Known, KnownAtSamples, Table};
+pub use truth::{Truth, TruthFunction};
+pub use unit::{Dimension, Unit};

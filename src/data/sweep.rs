@@ -1,0 +1,148 @@
+//! One run of the ball-bar.
+
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+use super::atomic::{WriteError, write_columns};
+use super::columns::Wanted;
+use super::error::{FieldProblem, FileError, LineProblem, Need, Problem};
+use super::lines::{self, Lines};
+use super::radius::Radius;
+use super::unit::{Dimension, Role, Unit};
+
+/// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
+const BEYOND_STROKE_MM: f64 = 2.0;
+
+/// An angle beyond this many turns is none of a run.
+const MOST_TURNS: f64 = 10.0;
+
+/// The readings' column without its unit.
+const READING: &str = "dr";
+
+/// One sample of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// The swept angle, rad.
+    pub angle_rad: f64,
+    /// The radial deviation ΔR: bar length less the radius, mm.
+    pub reading_mm: f64,
+    /// The line of the file it stands on, counted from 1.
+    pub line: u64,
+}
+
+/// The samples of one run, in the file's order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    file: PathBuf,
+    samples: Vec<Sample>,
+}
+
+impl Sweep {
+    /// Reads a run: columns `<angle>_deg|_rad` and `dr_um|_mm`, `angle` being the swept angle's symbol (`"a"`).
+    ///
+    /// `least` is the number of samples needed (that of the coefficients to fit), `radius` the bar's nominal length.
+    ///
+    /// # Errors
+    /// [`FileError`] where the file cannot be read or is no such file; where an angle comes twice (repeated sweeps are
+    /// files of their own) or is beyond ten turns; where there are fewer than `least` samples; where the readings are absolute lengths or
+    /// otherwise beyond a ball-bar's stroke (median beyond 2 mm).
+    pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
+        let wanted = [
+            Wanted { name: angle, role: Role::Sweep },
+            Wanted { name: READING, role: Role::Deviation(Dimension::Length) },
+        ];
+        let Lines { columns, lines } = lines::read(file, &wanted)?;
+        let samples: Vec<Sample> = lines
+            .iter()
+            .filter_map(|line| match line.values.as_slice() {
+                [angle, reading] => Some(Sample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
+                _ => None,
+            })
+            .collect();
+        let mut names = columns.into_iter().map(|column| column.name);
+        let names = [names.next(), names.next()].map(Option::unwrap_or_default);
+        match check(&samples, radius, least, names) {
+            Some(problem) => Err(FileError { file: file.to_owned(), problem }),
+            None => Ok(Self { file: file.to_owned(), samples }),
+        }
+    }
+
+    /// A run that comes from elsewhere (a simulation), with lines as [`Sweep::write`] gives them; pairs of angle in rad
+    /// and reading in mm, which are not checked here. `file` is where it will stand.
+    pub fn new(file: impl Into<PathBuf>, samples: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let samples = (2..).zip(samples).map(|(line, (angle_rad, reading_mm))| Sample { angle_rad, reading_mm, line });
+        Self { file: file.into(), samples: samples.collect() }
+    }
+
+    /// Where it was read from.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// The samples in the file's order.
+    pub fn samples(&self) -> &[Sample] {
+        &self.samples
+    }
+
+    /// Smallest and largest angle, rad; none without samples.
+    pub fn range_rad(&self) -> Option<(f64, f64)> {
+        let first = self.samples.first()?.angle_rad;
+        let widen = |(low, high): (f64, f64), sample: &Sample| (low.min(sample.angle_rad), high.max(sample.angle_rad));
+        Some(self.samples.iter().fold((first, first), widen))
+    }
+
+    /// Writes the run to [`Sweep::file`], its angle in `angle_unit` (degrees or radians) and its readings in
+    /// `length_unit` (µm or mm), so that reading gives back the same run.
+    ///
+    /// # Errors
+    /// [`WriteError`] where the file cannot be written, a value is not finite, or a unit is not one of those named.
+    pub fn write(&self, angle: &str, angle_unit: Unit, length_unit: Unit) -> Result<(), WriteError> {
+        let columns = [
+            (Wanted { name: angle, role: Role::Sweep }, angle_unit),
+            (Wanted { name: READING, role: Role::Deviation(Dimension::Length) }, length_unit),
+        ];
+        let lines = self.samples.iter().map(|sample| vec![sample.angle_rad, sample.reading_mm]);
+        write_columns(&self.file, &columns, lines)
+    }
+}
+
+fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [String; 2]) -> Option<Problem> {
+    let mut seen = HashMap::new();
+    let mut bad = Vec::new();
+    for Sample { angle_rad, line, .. } in samples {
+        // Adding zero makes one of the two zeros.
+        let first = *seen.entry((angle_rad + 0.0).to_bits()).or_insert(*line);
+        if first != *line {
+            bad.push(LineProblem {
+                line: *line,
+                problem: FieldProblem::RepeatedAngle { angle_rad: *angle_rad, first },
+            });
+        }
+    }
+    if !bad.is_empty() {
+        return Some(Problem::Lines(bad));
+    }
+    let angle_rad = samples.iter().map(|sample| sample.angle_rad.abs()).fold(0.0, f64::max);
+    if angle_rad > MOST_TURNS * TAU {
+        return Some(Problem::ManyTurns { angle_rad, most: MOST_TURNS, column: angle });
+    }
+    if samples.len() < least {
+        return Some(Problem::TooFew { present: samples.len(), needed: least, why: Need::Coefficients });
+    }
+    let median_mm = median(samples.iter().map(|sample| sample.reading_mm.abs()).collect())?;
+    if median_mm <= BEYOND_STROKE_MM {
+        None
+    } else if (median_mm - radius.mm()).abs() <= BEYOND_STROKE_MM.max(radius.mm() / 100.0) {
+        Some(Problem::AbsoluteLengths { median_mm, near_mm: median_mm.round(), radius_mm: radius.mm() })
+    } else {
+        Some(Problem::BeyondStroke { median_mm, column: reading, radius_mm: radius.mm() })
+    }
+}
+
+/// The middle value, the upper one of two.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    let middle = values.len() / 2;
+    values.sort_by(f64::total_cmp);
+    values.get(middle).copied()
+}

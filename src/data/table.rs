@@ -1,0 +1,199 @@
+//! Functions known beforehand, given as a table over the swept angle.
+
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+use super::atomic::{WriteError, write_columns};
+use super::columns::Wanted;
+use super::error::{FieldProblem, FileError, LineProblem, Need, Problem};
+use super::lines::{self, Lines};
+use super::sweep::Sweep;
+use super::unit::{Dimension, Role, Unit};
+
+/// Fewest steps of a table taken as going round.
+const STEPS_OF_A_TURN: usize = 12;
+
+/// Steps that differ by less than this share of a step count as equal: six printed decimals of a degree.
+const EVEN: f64 = 1e-3;
+
+/// A function a table has to give.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// Its name without a unit, such as `dya`.
+    pub name: String,
+    /// What it measures.
+    pub dimension: Dimension,
+}
+
+/// Functions over the swept angle, linear between nodes.
+///
+/// A table whose nodes go evenly round the whole turn, in at least 12 steps, the last node one step before the first
+/// one's repetition (0°…359°) or at it (0°…360°), repeats: angles outside it are taken modulo a turn, and between the
+/// last and the first node it is linear as well. Any other table ends at its first and last node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    file: PathBuf,
+    functions: Vec<Known>,
+    /// Angles rise strictly; there are at least two; each has a value for each function.
+    nodes: Vec<Node>,
+    repeats: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Node {
+    angle_rad: f64,
+    values: Vec<f64>,
+    line: u64,
+}
+
+/// A table's functions at a run's samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnownAtSamples {
+    /// The functions, in the order they were asked for.
+    pub functions: Vec<Known>,
+    /// For each sample one value (mm or rad) of each function.
+    pub values: Vec<Vec<f64>>,
+}
+
+impl Table {
+    /// Reads a table: column `<angle>_deg|_rad`, and `<name>_um|_mm` or `<name>_urad|_rad` for each function.
+    ///
+    /// Nodes may come in any order, and twice with the same values.
+    ///
+    /// # Errors
+    /// [`FileError`] where the file cannot be read or is no such file, an angle has two values, or there are fewer than
+    /// two angles.
+    pub fn read(file: &Path, angle: &str, functions: &[Known]) -> Result<Self, FileError> {
+        let Lines { lines, .. } = lines::read(file, &wanted(angle, functions))?;
+        let mut nodes: Vec<Node> = lines
+            .into_iter()
+            .filter_map(|line| {
+                let (angle_rad, values) = line.values.split_first()?;
+                Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), line: line.line })
+            })
+            .collect();
+        nodes.sort_by(|a, b| a.angle_rad.total_cmp(&b.angle_rad));
+        let fail = |problem| FileError { file: file.to_owned(), problem };
+        let bad = contradictions(&nodes, functions);
+        if !bad.is_empty() {
+            return Err(fail(Problem::Lines(bad)));
+        }
+        nodes.dedup_by(|a, b| a.angle_rad == b.angle_rad);
+        if nodes.len() < 2 {
+            return Err(fail(Problem::TooFew { present: nodes.len(), needed: 2, why: Need::Interpolation }));
+        }
+        let repeats = goes_round(&nodes);
+        Ok(Self { file: file.to_owned(), functions: functions.to_vec(), nodes, repeats })
+    }
+
+    /// Where it was read from.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// Whether it goes round the turn and so has a value at every angle.
+    pub fn repeats(&self) -> bool {
+        self.repeats
+    }
+
+    /// First and last node, rad.
+    pub fn range_rad(&self) -> (f64, f64) {
+        let angle = |node: Option<&Node>| node.map_or(0.0, |node| node.angle_rad);
+        (angle(self.nodes.first()), angle(self.nodes.last()))
+    }
+
+    /// The functions' values (mm or rad) at an angle in rad: a node's own at a node, linear between; none outside.
+    pub fn at(&self, angle_rad: f64) -> Option<Vec<f64>> {
+        let (first, last) = (self.nodes.first()?, self.nodes.last()?);
+        let inside = |angle: f64| first.angle_rad <= angle && angle <= last.angle_rad;
+        let angle = match (inside(angle_rad), self.repeats) {
+            (true, _) => angle_rad,
+            (false, true) => first.angle_rad + (angle_rad - first.angle_rad).rem_euclid(TAU),
+            (false, false) => return None,
+        };
+        let after = self.nodes.partition_point(|node| node.angle_rad <= angle);
+        let left = self.nodes.get(after.checked_sub(1)?)?;
+        if left.angle_rad == angle {
+            return Some(left.values.clone());
+        }
+        // Past the last node the first one follows, a turn later.
+        let (right, right_rad) = self.nodes.get(after).map_or((first, first.angle_rad + TAU), |n| (n, n.angle_rad));
+        let span = right_rad - left.angle_rad;
+        let weight = if span > 0.0 { ((angle - left.angle_rad) / span).clamp(0.0, 1.0) } else { 0.0 };
+        Some(left.values.iter().zip(&right.values).map(|(l, r)| l + weight * (r - l)).collect())
+    }
+
+    /// The functions at each sample of a run.
+    ///
+    /// # Errors
+    /// [`FileError`] of the run's file where samples are outside the table, with their lines and the table's range.
+    pub fn at_samples(&self, sweep: &Sweep) -> Result<KnownAtSamples, FileError> {
+        let mut outside = Vec::new();
+        let mut values = Vec::with_capacity(sweep.samples().len());
+        for sample in sweep.samples() {
+            match self.at(sample.angle_rad) {
+                Some(at) => values.push(at),
+                None => outside.push((sample.line, sample.angle_rad)),
+            }
+        }
+        if outside.is_empty() {
+            return Ok(KnownAtSamples { functions: self.functions.clone(), values });
+        }
+        let problem = Problem::OutsideTable { table: self.file.clone(), range: self.range_rad(), samples: outside };
+        Err(FileError { file: sweep.file().to_owned(), problem })
+    }
+
+    /// Writes a table of `functions`: for each line the angle in rad and the functions' values in mm or rad, written in
+    /// degrees, µm and µrad. Reading gives back each value that has a decimal there ([`Unit::decimal`]).
+    ///
+    /// # Errors
+    /// [`WriteError`] where the file cannot be written, a value is not finite, or a line has too few or many values.
+    pub fn write(
+        file: &Path,
+        angle: &str,
+        functions: &[Known],
+        lines: impl IntoIterator<Item = (f64, Vec<f64>)>,
+    ) -> Result<(), WriteError> {
+        let usual = |wanted: Wanted| match wanted.role {
+            Role::Sweep => Unit::Deg,
+            Role::Deviation(Dimension::Length) => Unit::Um,
+            Role::Deviation(Dimension::Angle) => Unit::Urad,
+        };
+        let columns: Vec<_> = wanted(angle, functions).into_iter().map(|wanted| (wanted, usual(wanted))).collect();
+        let lines = lines.into_iter().map(|(angle, values)| [vec![angle], values].concat());
+        write_columns(file, &columns, lines)
+    }
+}
+
+fn wanted<'a>(angle: &'a str, functions: &'a [Known]) -> Vec<Wanted<'a>> {
+    let known = functions.iter().map(|known| Wanted { name: &known.name, role: Role::Deviation(known.dimension) });
+    std::iter::once(Wanted { name: angle, role: Role::Sweep }).chain(known).collect()
+}
+
+/// Neighbours at one angle with different values, in the file's order.
+fn contradictions(nodes: &[Node], functions: &[Known]) -> Vec<LineProblem> {
+    let mut bad = Vec::new();
+    for (before, node) in nodes.iter().zip(nodes.iter().skip(1)) {
+        let differs = |((a, b), known): ((&f64, &f64), _)| (a != b).then_some(known);
+        let values = before.values.iter().zip(&node.values).zip(functions);
+        let different: Option<&Known> = values.filter_map(differs).next();
+        if let (true, Some(known)) = (before.angle_rad == node.angle_rad, different) {
+            let (first, line) = (before.line.min(node.line), before.line.max(node.line));
+            let problem = FieldProblem::TwoValues { angle_rad: node.angle_rad, first, function: known.name.clone() };
+            bad.push(LineProblem { line, problem });
+        }
+    }
+    bad.sort_by_key(|problem| problem.line);
+    bad
+}
+
+fn goes_round(nodes: &[Node]) -> bool {
+    let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else {
+        return false;
+    };
+    let span = last.angle_rad - first.angle_rad;
+    let step = span / (nodes.len() - 1) as f64;
+    let near = |a: f64, b: f64| (a - b).abs() <= EVEN * step;
+    let even = nodes.iter().zip(nodes.iter().skip(1)).all(|(a, b)| near(b.angle_rad - a.angle_rad, step));
+    even && TAU / step >= STEPS_OF_A_TURN as f64 - EVEN && (near(span, TAU) || near(span + step, TAU))
+}

@@ -1,0 +1,135 @@
+//! Line charts: panels one below the other over a common x axis.
+
+use super::canvas::{Anchor, Canvas, FRAME, GRID, Ink, ZERO, draw, width};
+use super::series::{Axis, Extent, PlotError, Series, Shape};
+use super::ticks::Ticks;
+
+const WIDTH: f64 = 760.0;
+const LEFT: f64 = 78.0;
+const RIGHT: f64 = 24.0;
+const TITLE: f64 = 40.0;
+const LEGEND: f64 = 26.0;
+const BOTTOM: f64 = 50.0;
+/// Heights of the first panel and of those below it.
+const HEIGHTS: (f64, f64) = (270.0, 150.0);
+const TEXT: f64 = 13.0;
+
+/// A line chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Above the panels; may be empty.
+    pub title: String,
+    /// The common x axis.
+    pub x: Axis,
+    /// From top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+/// One panel of a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// Its y axis.
+    pub y: Axis,
+    /// Drawn in this order, later ones on top.
+    pub series: Vec<Series>,
+}
+
+/// A panel's place on the sheet and its axes.
+struct Frame<'a> {
+    x: &'a Ticks,
+    y: Ticks,
+    top: f64,
+    height: f64,
+}
+
+impl Frame<'_> {
+    fn at(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
+        let across = LEFT + share(x, self.x.range) * (WIDTH - LEFT - RIGHT);
+        (across, self.top + (1.0 - share(y, self.y.range)) * self.height)
+    }
+}
+
+impl Chart {
+    /// The chart as SVG text.
+    ///
+    /// # Errors
+    /// [`PlotError`] for a panel without points or with values that cannot be drawn.
+    pub fn svg(&self) -> Result<String, PlotError> {
+        let extents = (1..).zip(&self.panels).map(|(at, panel)| Extent::of(&panel.series, at));
+        let extents = extents.collect::<Result<Vec<_>, _>>()?;
+        let all = extents.iter().copied().reduce(Extent::join).ok_or(PlotError::NoPoints { panel: 1 })?;
+        let x = if self.x.unit == "°" { Ticks::degrees(all.x) } else { Ticks::decimal(all.x, 8) };
+        let mut top = if self.title.is_empty() { 8.0 } else { TITLE };
+        let mut frames = Vec::new();
+        for (at, extent) in extents.iter().enumerate() {
+            let (height, most) = if at == 0 { (HEIGHTS.0, 6) } else { (HEIGHTS.1, 4) };
+            top += LEGEND;
+            frames.push(Frame { x: &x, y: Ticks::decimal(extent.y, most), top, height });
+            top += height + 12.0;
+        }
+        let bottom = top - 12.0;
+        draw((WIDTH as u32, (bottom + BOTTOM) as u32), |canvas| {
+            if !self.title.is_empty() {
+                canvas.text(&self.title, (WIDTH / 2.0, TITLE * 0.55), TEXT + 3.0, Anchor::Centre)?;
+            }
+            for (frame, panel) in frames.iter().zip(&self.panels) {
+                axes(canvas, frame, &panel.y)?;
+                legend(canvas, &panel.series, (LEFT, frame.top - LEGEND / 2.0))?;
+                panel.series.iter().try_for_each(|series| shape(canvas, series, |point| frame.at(point)))?;
+            }
+            for tick in &x.at {
+                let across = LEFT + (tick - x.range.0) / (x.range.1 - x.range.0) * (WIDTH - LEFT - RIGHT);
+                canvas.text(&x.label(*tick), (across, bottom + 15.0), TEXT, Anchor::Centre)?;
+            }
+            let middle = (LEFT + WIDTH - RIGHT) / 2.0;
+            canvas.text(&self.x.title(), (middle, bottom + 37.0), TEXT + 1.0, Anchor::Centre)
+        })
+    }
+}
+
+fn axes(canvas: &Canvas, frame: &Frame, y: &Axis) -> Result<(), PlotError> {
+    let ((x0, x1), (y0, y1)) = (frame.x.range, frame.y.range);
+    for tick in &frame.x.at {
+        canvas.line([frame.at((*tick, y0)), frame.at((*tick, y1))], GRID)?;
+    }
+    for tick in &frame.y.at {
+        let ink = if *tick == 0.0 { ZERO } else { GRID };
+        let (left, right) = (frame.at((x0, *tick)), frame.at((x1, *tick)));
+        canvas.line([left, right], ink)?;
+        canvas.text(&frame.y.label(*tick), (left.0 - 8.0, left.1), TEXT, Anchor::Right)?;
+    }
+    canvas.line([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)].map(|corner| frame.at(corner)), FRAME)?;
+    canvas.text(&y.title(), (20.0, frame.top + frame.height / 2.0), TEXT + 1.0, Anchor::Upward)
+}
+
+/// Names with a sample of their line, in a row.
+pub(crate) fn legend(canvas: &Canvas, series: &[Series], (mut x, y): (f64, f64)) -> Result<(), PlotError> {
+    for Series { name, tone, shape } in series.iter().filter(|series| !series.name.is_empty()) {
+        let end = x + 26.0;
+        match shape {
+            Shape::Line(_) => canvas.line([(x, y), (end, y)], Ink::line(*tone))?,
+            Shape::Dashed(_) => canvas.dashed([(x, y), (end, y)], Ink::line(*tone))?,
+            Shape::Band(_) => {
+                let corners = [(x, y - 5.0), (end, y - 5.0), (end, y + 5.0), (x, y + 5.0)];
+                canvas.area(corners, Ink::band(*tone))?;
+            }
+        }
+        canvas.text(name, (end + 7.0, y), TEXT, Anchor::Left)?;
+        x = end + 7.0 + width(name, TEXT) + 22.0;
+    }
+    Ok(())
+}
+
+/// One series, its points put on the sheet by `at`.
+pub(crate) fn shape(canvas: &Canvas, series: &Series, at: impl Fn((f64, f64)) -> (f64, f64)) -> Result<(), PlotError> {
+    match &series.shape {
+        Shape::Line(points) => canvas.line(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
+        Shape::Dashed(points) => canvas.dashed(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
+        Shape::Band(points) => {
+            let upper = points.iter().map(|(x, _, high)| at((*x, *high)));
+            let lower = points.iter().rev().map(|(x, low, _)| at((*x, *low)));
+            canvas.area(upper.chain(lower), Ink::band(series.tone))
+        }
+    }
+}
