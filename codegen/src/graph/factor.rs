@@ -106,7 +106,7 @@ fn each_pair(product: &[Power], mut count: impl FnMut((u32, u32), u64)) {
     }
 }
 
-fn exponent(product: &[Power], literal: u32) -> u32 {
+fn exponent(product: &[Power], literal: u32) -> u64 {
     product
         .iter()
         .find(|power| power.0 == literal)
