@@ -1,0 +1,1 @@
+//! Small printed examples; that printed functions compute right is tested in `tests/printed.rs`.
