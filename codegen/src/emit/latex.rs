@@ -85,6 +85,11 @@ impl Writer<'_> {
         }
         for (open, number, factors) in [("\\frac{", numer, over), ("}{", denom, under)] {
             self.text += open;
+            // The fraction's line groups what stands alone above or below it.
+            if let (1, [(base, 1)]) = (*number, factors.as_slice()) {
+                self.expression(*base);
+                continue;
+            }
             let has_number = *number != 1 || factors.is_empty();
             if has_number {
                 self.text += &number.to_string();

@@ -54,8 +54,10 @@ impl Names {
             .map(|constant| pool.claim(&constant_name(constant)))
             .collect();
         let mut steps = vec![None; program.steps().len()];
+        let mut numbers = 1..;
         for (at, step) in program.temporaries() {
-            steps[at] = Some(pool.claim(&step_name(step, &inputs)));
+            steps[at] = angle_name(step, &inputs).or_else(|| Some(format!("t{}", numbers.next()?)));
+            steps[at] = steps[at].as_deref().map(|name| pool.claim(name));
         }
         Names {
             function: function_name,
@@ -76,18 +78,17 @@ fn constant_name(constant: &Constant) -> String {
     }
 }
 
-fn step_name(step: Step, inputs: &[String]) -> String {
-    let of = |value: Value| match value {
-        Value::Input(at) => inputs.get(at as usize).map_or("", String::as_str),
-        _ => "",
+/// The sine and cosine of an input are called after it.
+fn angle_name(step: Step, inputs: &[String]) -> Option<String> {
+    let (function, angle) = match step {
+        Step::Sin(angle) => ("sin", angle),
+        Step::Cos(angle) => ("cos", angle),
+        _ => return None,
     };
-    match step {
-        Step::Sin(angle) => format!("sin_{}", of(angle)),
-        Step::Cos(angle) => format!("cos_{}", of(angle)),
-        _ => "t".to_owned(),
+    match angle {
+        Value::Input(at) => Some(format!("{function}_{}", inputs.get(at as usize)?)),
+        _ => Some(function.to_owned()),
     }
-    .trim_end_matches('_')
-    .to_owned()
 }
 
 struct Pool {

@@ -95,6 +95,7 @@ pub fn item(function: &Function, num_traits: &TokenStream) -> TokenStream {
     quote! {
         #(#[doc = #docs])*
         #[must_use]
+        #[allow(clippy::all)]
         pub fn #name<T>(#(#inputs: T),*) -> #kind
         where
             T: #num_traits::Float + #num_traits::FloatConst + 'static,
