@@ -3,6 +3,7 @@
 pub mod algebra;
 pub mod basis;
 pub mod emit;
+pub mod graph;
 pub mod identify;
 pub mod kinematics;
 pub mod measurement;

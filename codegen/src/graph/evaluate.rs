@@ -1,0 +1,58 @@
+//! Evaluation node by node: the reference for everything that is compiled or printed.
+
+use std::fmt;
+
+use super::build::Graph;
+use super::node::{Id, Node};
+use super::rational::to_f64;
+
+/// An expression uses a symbol that was given no value, or is no input of the function.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Unbound {
+    /// The symbol's name.
+    pub name: String,
+}
+
+impl fmt::Display for Unbound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the symbol `{}` is used but not given", self.name)
+    }
+}
+
+impl std::error::Error for Unbound {}
+
+impl Graph {
+    /// The value of `id` with its symbols at `values`, in `f64`; angles in rad. For many points use a [`Tape`](super::Tape).
+    ///
+    /// # Errors
+    /// A symbol of the expression is not among `values`.
+    pub fn evaluate(&self, id: Id, values: &[(&str, f64)]) -> Result<f64, Unbound> {
+        let used = self.reachable(&[id]);
+        let mut known = vec![0.0; used.len()];
+        for (index, _) in used.iter().enumerate().filter(|&(_, &used)| used) {
+            let at = |id: Id| known[id.index()];
+            known[index] = match self.node(Id(index as u32)) {
+                Node::Symbol(symbol) => {
+                    let name = self.name(*symbol);
+                    let given = values.iter().find(|(given, _)| *given == name);
+                    given.ok_or_else(|| Unbound { name: name.to_owned() })?.1
+                }
+                Node::Rational(r) => to_f64(r),
+                Node::Pi => std::f64::consts::PI,
+                Node::Sqrt2 => std::f64::consts::SQRT_2,
+                Node::Sum(terms) => terms
+                    .iter()
+                    .map(|term| to_f64(&term.coefficient) * if term.node == Id::ONE { 1.0 } else { at(term.node) })
+                    .sum(),
+                Node::Product(coefficient, factors) => factors
+                    .iter()
+                    .fold(to_f64(coefficient), |product, factor| product * at(factor.base).powi(factor.exponent)),
+                Node::Sqrt(u) => at(*u).sqrt(),
+                Node::Sin(u) => at(*u).sin(),
+                Node::Cos(u) => at(*u).cos(),
+                Node::Atan2(y, x) => at(*y).atan2(at(*x)),
+            };
+        }
+        Ok(known.last().copied().unwrap_or(0.0))
+    }
+}

@@ -1,0 +1,40 @@
+//! Hash-consed expressions: equal expressions are one node, so sharing and equality cost nothing.
+//!
+//! Polynomials lower to a [`Graph`] through its plain constructors; from there expressions are differentiated
+//! ([`Graph::derivative`]), rewritten ([`Graph::substitute`]), evaluated ([`Graph::evaluate`], [`Tape`]) or lowered
+//! together to straight-line code ([`Program`]), which the printers of [`crate::emit`] write in a language.
+//!
+//! Constructors simplify as algebra does: `0·x` is 0 and `(√u)²` is `u`, whatever values `x` and `u` may take.
+//! A constant that would overflow is left unfolded, so an exact number is never wrong.
+//!
+//! ```
+//! use trunnion_codegen::graph::Graph;
+//!
+//! let mut graph = Graph::new();
+//! let (x, y) = (graph.symbol("x"), graph.symbol("y"));
+//! let three = graph.sum(&[x, y, x]);
+//! let two = graph.integer(2);
+//! let rest = graph.difference(three, y);
+//! assert_eq!(rest, graph.product(&[two, x]));
+//! ```
+
+mod build;
+mod derivative;
+mod evaluate;
+mod factor;
+mod function;
+mod lower;
+mod node;
+mod program;
+mod rational;
+mod substitute;
+mod tape;
+#[cfg(test)]
+mod tests;
+
+pub use build::Graph;
+pub use evaluate::Unbound;
+pub use node::{Factor, Id, Node, Symbol, Term};
+pub use program::{Constant, Operations, Program, Step, Value};
+pub use rational::{Rational, to_f64};
+pub use tape::{Evaluator, Tape, WrongLength};

@@ -1,0 +1,117 @@
+//! What an expression is made of.
+
+use std::hash::{Hash, Hasher};
+
+use super::Rational;
+
+/// A handle to an expression of one [`Graph`](super::Graph); equal handles are equal expressions.
+///
+/// Handles are numbered as expressions are made, so a part always precedes the whole: passes over a graph are loops.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Id(pub(super) u32);
+
+impl Id {
+    /// 0
+    pub const ZERO: Id = Id(0);
+    /// 1
+    pub const ONE: Id = Id(1);
+    /// π
+    pub const PI: Id = Id(2);
+    /// √2
+    pub const SQRT_2: Id = Id(3);
+
+    pub(super) fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A symbol of one [`Graph`](super::Graph), by the order in which names were first used.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Symbol(pub(super) u32);
+
+/// `coefficient · node` in a sum.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Term {
+    /// Never zero.
+    pub coefficient: Rational,
+    /// [`Id::ONE`] for the sum's constant.
+    pub node: Id,
+}
+
+/// `base ^ exponent` in a product.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Factor {
+    /// What is raised.
+    pub base: Id,
+    /// Never zero; negative divides.
+    pub exponent: i32,
+}
+
+/// One operation over earlier expressions, in normal form.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Node {
+    /// A variable.
+    Symbol(Symbol),
+    /// An exact constant in lowest terms.
+    Rational(Rational),
+    /// π
+    Pi,
+    /// √2
+    Sqrt2,
+    /// At least two terms, ordered by node; like terms are one.
+    Sum(Box<[Term]>),
+    /// A constant other than zero times factors, ordered by base; like factors are one. A power is a product of one factor.
+    Product(Rational, Box<[Factor]>),
+    /// Square root.
+    Sqrt(Id),
+    /// Sine of an angle in rad.
+    Sin(Id),
+    /// Cosine of an angle in rad.
+    Cos(Id),
+    /// `Atan2(y, x)`: the angle in rad, in (−π, π], of the point (x, y).
+    Atan2(Id, Id),
+}
+
+impl Node {
+    /// The expressions this one is made of, with repetition; the unit of a sum's constant is not one of them.
+    pub fn children(&self) -> impl Iterator<Item = Id> + '_ {
+        let (terms, factors, pair): (&[Term], &[Factor], [Option<Id>; 2]) = match self {
+            Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => (&[], &[], [None, None]),
+            Node::Sum(terms) => (terms, &[], [None, None]),
+            Node::Product(_, factors) => (&[], factors, [None, None]),
+            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) => (&[], &[], [Some(*u), None]),
+            Node::Atan2(y, x) => (&[], &[], [Some(*y), Some(*x)]),
+        };
+        let terms = terms.iter().map(|term| term.node).filter(|&node| node != Id::ONE);
+        let factors = factors.iter().map(|factor| factor.base);
+        terms.chain(factors).chain(pair.into_iter().flatten())
+    }
+}
+
+/// `Ratio` hashes its continued fraction, so that ratios not in lowest terms hash alike; ours are, and a division of
+/// 128 bits costs more than the rest of the hash.
+fn hash_lowest<H: Hasher>(r: &Rational, state: &mut H) {
+    r.numer().hash(state);
+    r.denom().hash(state);
+}
+
+impl Hash for Node {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(self).hash(state);
+        match self {
+            Node::Symbol(symbol) => symbol.hash(state),
+            Node::Rational(r) => hash_lowest(r, state),
+            Node::Pi | Node::Sqrt2 => {}
+            Node::Sum(terms) => terms.iter().for_each(|term| {
+                hash_lowest(&term.coefficient, state);
+                term.node.hash(state);
+            }),
+            Node::Product(coefficient, factors) => {
+                hash_lowest(coefficient, state);
+                factors.hash(state);
+            }
+            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) => u.hash(state),
+            Node::Atan2(y, x) => (y, x).hash(state),
+        }
+    }
+}
