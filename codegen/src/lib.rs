@@ -2,6 +2,7 @@
 
 pub mod algebra;
 pub mod basis;
+pub mod catalogue;
 pub mod emit;
 pub mod graph;
 pub mod identify;

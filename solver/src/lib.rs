@@ -2,5 +2,6 @@
 #![no_std]
 
 pub mod lstsq;
+pub mod tilting;
 
 pub use lstsq::Real;

@@ -10,6 +10,7 @@ pub mod equations;
 mod function;
 mod header;
 pub mod latex;
+pub mod model;
 mod names;
 pub mod numpy;
 mod parts;
