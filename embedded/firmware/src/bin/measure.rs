@@ -47,10 +47,11 @@ where
         let known = black_box(sample.known.map(T::of));
         let x = SVector::from(clock.time(&mut row, || black_box(regressors::separation(black_box(radius), a))));
         let taken = clock.time(&mut push, || black_box(&mut again).push(black_box(&x), y[1])).is_ok()
-            & clock.time(&mut both, || {
-                black_box(&mut eight).push(&SVector::from(regressors::separation(black_box(radius), a)), y[1])
-            })
-            .is_ok()
+            & clock
+                .time(&mut both, || {
+                    black_box(&mut eight).push(&SVector::from(regressors::separation(black_box(radius), a)), y[1])
+                })
+                .is_ok()
             & clock.time(&mut tilting, || black_box(&mut joint).push_tilting(a, y[0], known)).is_ok()
             & clock.time(&mut separation, || black_box(&mut joint).push_separation(a, y[1])).is_ok()
             & clock.time(&mut two_step_both, || {
@@ -85,19 +86,39 @@ where
 
     let a = black_box(T::one());
     let of_eight = |x: T| SVector::from(regressors::separation(black_box(radius), x));
-    hprintln!("{} stack, row and push of 8 = {}", kind, stack::used_by(|| {
-        let _ = black_box(black_box(&mut eight).push(&of_eight(a), a));
-    }));
-    hprintln!("{} stack, joint sample = {}", kind, stack::used_by(|| {
-        let _ = black_box(black_box(&mut joint).push_tilting(a, a, [a, a]));
-    }));
-    hprintln!("{} stack, solve of 8 = {}", kind, stack::used_by(|| {
-        let _ = black_box(black_box(&eight).solve());
-    }));
-    hprintln!("{} stack, solve, joint = {}", kind, stack::used_by(|| {
-        let _ = black_box(black_box(&joint).solve());
-    }));
-    hprintln!("{} stack, solve, two-step = {}", kind, stack::used_by(|| {
-        let _ = black_box(black_box(&two_step).solve());
-    }));
+    hprintln!(
+        "{} stack, row and push of 8 = {}",
+        kind,
+        stack::used_by(|| {
+            let _ = black_box(black_box(&mut eight).push(&of_eight(a), a));
+        })
+    );
+    hprintln!(
+        "{} stack, joint sample = {}",
+        kind,
+        stack::used_by(|| {
+            let _ = black_box(black_box(&mut joint).push_tilting(a, a, [a, a]));
+        })
+    );
+    hprintln!(
+        "{} stack, solve of 8 = {}",
+        kind,
+        stack::used_by(|| {
+            let _ = black_box(black_box(&eight).solve());
+        })
+    );
+    hprintln!(
+        "{} stack, solve, joint = {}",
+        kind,
+        stack::used_by(|| {
+            let _ = black_box(black_box(&joint).solve());
+        })
+    );
+    hprintln!(
+        "{} stack, solve, two-step = {}",
+        kind,
+        stack::used_by(|| {
+            let _ = black_box(black_box(&two_step).solve());
+        })
+    );
 }

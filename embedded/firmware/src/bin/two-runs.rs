@@ -36,9 +36,8 @@ fn single() -> Result<(), &'static str> {
     let two_step = two_step.solve().map_err(|_| "the samples do not separate the coefficients")?;
     for degree in (0_u16..=360).step_by(30) {
         let a = f32::from(degree).to_radians();
-        // ε_xa in µrad and half the width of its 95 % band.
-        hprintln!("f32 joint {} = {:.6} {:.6}", degree, joint.eps_xa(a).0 * 1e6, joint.band(a) * 1e6);
-        hprintln!("f32 two-step {} = {:.6} {:.6}", degree, two_step.eps_xa(a).0 * 1e6, two_step.band(a) * 1e6);
+        print("f32 joint", degree, joint.eps_xa(a).zip(joint.band(a)))?;
+        print("f32 two-step", degree, two_step.eps_xa(a).zip(two_step.band(a)))?;
     }
     Ok(())
 }
@@ -57,8 +56,15 @@ fn double() -> Result<(), &'static str> {
     let two_step = two_step.solve().map_err(|_| "the samples do not separate the coefficients")?;
     for degree in (0_u16..=360).step_by(30) {
         let a = f64::from(degree).to_radians();
-        hprintln!("f64 joint {} = {:.9} {:.9}", degree, joint.eps_xa(a).0 * 1e6, joint.band(a) * 1e6);
-        hprintln!("f64 two-step {} = {:.9} {:.9}", degree, two_step.eps_xa(a).0 * 1e6, two_step.band(a) * 1e6);
+        print("f64 joint", degree, joint.eps_xa(a).zip(joint.band(a)))?;
+        print("f64 two-step", degree, two_step.eps_xa(a).zip(two_step.band(a)))?;
     }
+    Ok(())
+}
+
+/// ε_xa in µrad, and half the width of its 95 % band.
+fn print<T: Into<f64>>(estimator: &str, degree: u16, values: Option<((T, T), T)>) -> Result<(), &'static str> {
+    let ((eps, _), band) = values.ok_or("the estimate is not finite")?;
+    hprintln!("{} {} = {:.9} {:.9}", estimator, degree, eps.into() * 1e6, band.into() * 1e6);
     Ok(())
 }
