@@ -9,7 +9,8 @@
 use super::setup::Setup;
 use rand::{Rng, RngExt};
 use trunnion_codegen::algebra::{ErrorId, Quantity};
-use trunnion_codegen::basis::Basis;
+use trunnion_codegen::basis::{Basis, Univariate};
+use trunnion_codegen::identify::{Origin, Parameter};
 use trunnion_codegen::kinematics::{ErrorValues, ExactRun};
 use trunnion_codegen::model::AxisKind;
 
@@ -39,6 +40,8 @@ impl Limits {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Machine {
     values: Vec<Shape>,
+    /// Of each error, its coefficients in its basis; none where it has no basis.
+    coefficients: Vec<Vec<f64>>,
 }
 
 /// An error's value as a function of its coordinate.
@@ -86,9 +89,22 @@ impl ErrorValues for Machine {
 }
 
 impl Machine {
-    /// A machine whose only errors are its coefficients of the estimated functions' and the others' bases: all zero.
-    pub fn perfect(setup: &Setup) -> Self {
-        Self { values: vec![Shape::Constant(0.0); setup.model.alphabet.errors().count()] }
+    /// True value of every physical parameter of the derivation, in its order: mm, rad, or per power of the coordinate.
+    pub fn parameters(&self, setup: &Setup) -> Vec<f64> {
+        let value = |p: &Parameter| match p.origin {
+            Origin::Constant(error) => self.value(error, 0.0),
+            Origin::Coefficient(function, k) => {
+                let error = setup.model.functions[function].error;
+                self.coefficients[error.index()].get(k).copied().unwrap_or(0.0)
+            }
+        };
+        setup.derivation.parameters.iter().map(value).collect()
+    }
+
+    /// True value of every base parameter.
+    pub fn base(&self, setup: &Setup) -> Vec<f64> {
+        let parameters = self.parameters(setup);
+        setup.definitions().iter().map(|d| d.iter().map(|(j, f)| f * parameters[*j]).sum()).collect()
     }
 }
 
@@ -97,21 +113,21 @@ pub fn draw(setup: &Setup, runs: &[ExactRun], limits: Limits, random: &mut impl 
     let model = &setup.model;
     let shape = |(id, _, quantity): (ErrorId, &str, Quantity)| {
         let limit = limits.of(quantity);
-        let Some((axis, _)) = model.axis_of(id) else { return Shape::Constant(uniform(random) * limit) };
+        let Some((axis, _)) = model.axis_of(id) else { return (Shape::Constant(uniform(random) * limit), Vec::new()) };
         let coordinates: Vec<f64> = runs.iter().flat_map(|r| r.coordinates(axis)).flatten().collect();
         let kind = model.axes().nth(axis).map_or(AxisKind::Linear, |a| a.kind);
         let parts = parts(setup, id, kind);
         let largest = |s: &Shape| coordinates.iter().map(|&x| s.at(x).abs()).fold(0.0, f64::max);
-        let scaled = parts.into_iter().map(|s| {
-            let size = largest(&s);
-            s.scaled(if size > 0.0 { uniform(random) / size } else { 0.0 })
-        });
-        let sum = sum(scaled.collect());
-        let size = largest(&sum);
-        let target = limit * random.random::<f64>();
-        sum.scaled(if size > 0.0 { target / size } else { 0.0 })
+        let inverse = |s: &Shape| Some(largest(s)).filter(|size| *size > 0.0).map_or(0.0, f64::recip);
+        let factors: Vec<f64> = parts.iter().map(|s| uniform(random) * inverse(s)).collect();
+        let sum = sum(parts.into_iter().zip(&factors).map(|(s, f)| s.scaled(*f)).collect());
+        let scale = limit * random.random::<f64>() * inverse(&sum);
+        let in_basis = model.function(id).is_some_and(|f| !f.basis.suffixes().is_empty());
+        let coefficients = if in_basis { factors.iter().map(|f| f * scale).collect() } else { Vec::new() };
+        (sum.scaled(scale), coefficients)
     };
-    Machine { values: model.alphabet.errors().map(shape).collect() }
+    let (values, coefficients) = model.alphabet.errors().map(shape).unzip();
+    Machine { values, coefficients }
 }
 
 /// The functions a motion error is drawn from.
@@ -124,8 +140,7 @@ fn parts(setup: &Setup, error: ErrorId, kind: AxisKind) -> Vec<Shape> {
     match (setup.model.function(error).map(|f| &f.basis), kind) {
         (Some(Basis::Zero), _) => Vec::new(),
         (Some(Basis::Polynomials(p)), _) => {
-            let number =
-                |u: &trunnion_codegen::basis::Univariate| u.coefficients(&setup.model.alphabet, &|n| setup.constant(n));
+            let number = |u: &Univariate| u.coefficients(&setup.model.alphabet, &|n| setup.constant(n));
             p.iter().map(|u| Shape::Polynomial(number(u))).collect()
         }
         (Some(Basis::Fourier(n)), _) => {

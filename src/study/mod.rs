@@ -7,6 +7,7 @@ mod fit;
 mod least_squares;
 mod monte_carlo;
 mod neglected;
+mod report;
 mod setup;
 mod simulate;
 
@@ -15,5 +16,6 @@ pub use fit::{Estimator, Fit, FitError, Observation, Sample, fit};
 pub use least_squares::{LARGEST, Separation};
 pub use monte_carlo::{Plan, Spread, Trial, monte_carlo};
 pub use neglected::{Neglected, neglected};
+pub use report::{Coefficient, Curve, Point, Report, WARN_CONDITION, Warning, report};
 pub use setup::{Setup, SetupError};
 pub use simulate::{grid, readings};

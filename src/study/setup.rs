@@ -1,9 +1,10 @@
 //! A model with numbers for its constants, ready to evaluate.
 
+use trunnion_codegen::algebra::{Fraction, Poly};
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
-use trunnion_codegen::identify::{Derivation, DeriveError, derive};
-use trunnion_codegen::model::{Component, Model, ReadingKind};
+use trunnion_codegen::identify::{BaseParameter, Derivation, DeriveError, derive};
+use trunnion_codegen::model::{self, Component, Model, ReadingKind};
 
 /// A model, its derivation, and the lengths of the set-up in mm.
 #[derive(Clone, Debug)]
@@ -96,6 +97,14 @@ impl Setup {
         let values = self.model.functions[function].basis.values(x, &self.model.alphabet, &|n| self.constant(n));
         let carries = |k: usize| self.derivation.base.iter().position(|b| b.estimates == Some((function, k)));
         values.into_iter().enumerate().filter_map(|(k, v)| Some((carries(k)?, v))).collect()
+    }
+
+    /// Definitions of the base parameters with the constants' values put in: parameter and factor.
+    pub fn definitions(&self) -> Vec<Vec<(usize, f64)>> {
+        let number = |p: &Poly| model::at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
+        let factor = |f: &Fraction| number(f.numerator()) / f.denominator().map_or(1.0, number);
+        let definition = |b: &BaseParameter| b.definition.iter().map(|(j, f)| (*j, factor(f))).collect();
+        self.derivation.base.iter().map(definition).collect()
     }
 
     /// Name of a function in reports: `eps_xa`.
