@@ -3,5 +3,6 @@
 
 pub mod lstsq;
 pub mod tilting;
+pub mod trig;
 
 pub use lstsq::Real;
