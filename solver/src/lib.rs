@@ -1,6 +1,7 @@
 //! Fixed-size, allocation-free least squares for the generated measurement models.
 #![no_std]
 
+pub mod circle;
 pub mod exechon;
 pub mod lstsq;
 pub mod tilting;

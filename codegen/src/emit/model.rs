@@ -20,15 +20,13 @@ pub fn run(model: &Model, derivation: &Derivation, run: usize) -> Result<Functio
     let names: Vec<&str> = derived.regressors.iter().map(|(b, _)| derivation.base[*b].name.as_str()).collect();
     let lowered = derived.regressors.iter().map(|(_, r)| fraction(&mut graph, &model.alphabet, r)).collect::<Vec<_>>();
     let mut outputs = vec![Output::array("regressors", &names.into_iter().zip(lowered).collect::<Vec<_>>())];
-    let known: Vec<(String, Id)> = derived
-        .known
-        .iter()
-        .map(|(f, p)| (known_name(model, *f), poly(&mut graph, &model.alphabet, p)))
-        .collect();
+    let known: Vec<(String, Id)> =
+        derived.known.iter().map(|(f, p)| (known_name(model, *f), poly(&mut graph, &model.alphabet, p))).collect();
     if !known.is_empty() {
         outputs.push(Output::array("known", &known));
     }
-    let doc = format!("Regressors of the base parameters that run `{}` sees, mm per unit of the parameter;", derived.name);
+    let doc =
+        format!("Regressors of the base parameters that run `{}` sees, mm per unit of the parameter;", derived.name);
     let what = if known.is_empty() { "" } else { "then the factors of the known functions, mm per mm or rad." };
     Function::new(&graph, &derived.name, &[&doc, what], &borrowed(&inputs), &outputs)
 }
@@ -46,7 +44,11 @@ pub fn basis(model: &Model, position: usize) -> Option<Result<Function, Unbound>
         Basis::Polynomials(functions) => functions
             .iter()
             .map(|u| {
-                let terms = u.0.iter().enumerate().map(|(n, c)| (poly(&mut graph, &model.alphabet, c), n as i32)).collect::<Vec<_>>();
+                let terms =
+                    u.0.iter()
+                        .enumerate()
+                        .map(|(n, c)| (poly(&mut graph, &model.alphabet, c), n as i32))
+                        .collect::<Vec<_>>();
                 let terms = terms.into_iter().map(|(c, n)| (c, graph.power(x, n))).collect::<Vec<_>>();
                 let products: Vec<Id> = terms.into_iter().map(|(c, p)| graph.product(&[c, p])).collect();
                 graph.sum(&products)

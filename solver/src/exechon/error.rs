@@ -119,6 +119,8 @@ pub enum KinematicsError<T> {
 pub enum RotationError {
     /// The tool points opposite to its direction at home: every way there is as short.
     Opposite,
+    /// The tool points along home's x axis, whose projection is a point.
+    AlongX,
 }
 
 impl Dimension {
@@ -160,7 +162,9 @@ impl fmt::Display for MachineError {
             Self::HomeSingular => {
                 f.write_str("a_deg at home points the tool along the C axis, where the A axis has no branch")
             }
-            Self::EmptyRange(limit) => write!(f, "the range of {limit} is empty: its low end must be below its high end"),
+            Self::EmptyRange(limit) => {
+                write!(f, "the range of {limit} is empty: its low end must be below its high end")
+            }
         }
     }
 }
@@ -191,7 +195,9 @@ impl fmt::Display for Singularity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::ToolAlongC => "the tool points along the C axis (A = 0): C is undetermined",
-            Self::PlatformOnGimbals => "the platform is on the line of the outer gimbals: its orientation is undetermined",
+            Self::PlatformOnGimbals => {
+                "the platform is on the line of the outer gimbals: its orientation is undetermined"
+            }
             Self::Jacobian => "the equations' derivatives are dependent",
         })
     }
@@ -205,13 +211,18 @@ impl<T: Real> fmt::Display for KinematicsError<T> {
             Self::NoConvergence { iterations, step } => {
                 write!(f, "no solution on this branch: after {iterations} Newton steps the last is still {step:.6} mm")
             }
-            Self::BehindBase { z } => write!(f, "out of reach: the platform would be behind the base, at z = {z:.3} mm"),
+            Self::BehindBase { z } => {
+                write!(f, "out of reach: the platform would be behind the base, at z = {z:.3} mm")
+            }
             Self::OutOfRange { limit, value, bound } => {
                 let excess = (*value - *bound).abs();
                 let side = if value < bound { "below" } else { "above" };
                 match limit {
                     Limit::Strut1 | Limit::Strut2 | Limit::Strut3 => {
-                        write!(f, "{limit} would be {value:.3} mm long, {excess:.3} mm {side} its limit of {bound:.3} mm")
+                        write!(
+                            f,
+                            "{limit} would be {value:.3} mm long, {excess:.3} mm {side} its limit of {bound:.3} mm"
+                        )
                     }
                     Limit::A | Limit::C => {
                         let degrees = |x: T| x.to_degrees();
@@ -226,7 +237,10 @@ impl<T: Real> fmt::Display for KinematicsError<T> {
 
 impl fmt::Display for RotationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the tool points opposite to its direction at home: the dependent rotation is undefined")
+        f.write_str(match self {
+            Self::Opposite => "the tool points opposite to its direction at home: the dependent rotation is undefined",
+            Self::AlongX => "the tool points along the machine's x axis: the dependent rotation is undefined",
+        })
     }
 }
 

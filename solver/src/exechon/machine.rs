@@ -62,14 +62,8 @@ impl<T: Real> Machine<T> {
         let platform = [T::zero(), T::zero(), height.sqrt()];
         let nowhere = [T::zero(); 3];
         let unset = Joints { struts: nowhere, a: home.a, c: T::zero() };
-        let blank = Pose {
-            point: nowhere,
-            platform,
-            axes: [nowhere; 3],
-            spindle: [nowhere; 3],
-            joints: unset,
-            iterations: 0,
-        };
+        let blank =
+            Pose { point: nowhere, platform, axes: [nowhere; 3], spindle: [nowhere; 3], joints: unset, iterations: 0 };
         let mut machine = Self { dimensions, limits, home: blank };
         let joints = Joints { struts: machine.struts(&platform), ..unset };
         machine.home = machine.assemble(&platform, &joints).map_err(|_| MachineError::HomeUnreachable)?;

@@ -22,7 +22,7 @@
 //! let frame = machine.frame();
 //! let target = Target::new(frame.point_to_base([-319.135, 198.236, -168.0]), *machine.home().direction())?;
 //! let pose = machine.inverse(&target, &machine.home().start())?;
-//! let phi = machine.dependent_rotation(&pose)?;
+//! let phi = machine.dependent_rotation(&pose, Default::default())?;
 //! assert!((phi.to_degrees() - 16.36).abs() < 0.01);
 //!
 //! let again = machine.forward(&pose.joints, &machine.home().start())?;
@@ -55,5 +55,6 @@ pub use frame::Frame;
 pub use limits::{Limit, Limits, Range};
 pub use machine::{Dimensions, Home, Machine};
 pub use pose::{Branch, Joints, Pose, Start};
+pub use rotation::Tilted;
 pub use target::Target;
 pub use vector::Vector;

@@ -13,6 +13,13 @@ pub(super) struct Root<T> {
     pub iterations: u32,
 }
 
+/// Why an iteration has none.
+pub(super) struct Lost<T> {
+    pub error: KinematicsError<T>,
+    /// Where it was last.
+    pub at: Vector<T>,
+}
+
 /// Finds where `equations` (residual, Jacobian by rows) vanish, from `start`. Steps are held to `reach`, mm: the
 /// equations' own length.
 ///
@@ -23,12 +30,14 @@ pub(super) fn solve<T: Real>(
     start: &Vector<T>,
     reach: T,
     equations: impl Fn(&Vector<T>) -> (Vector<T>, [Vector<T>; 3]),
-) -> Result<Root<T>, KinematicsError<T>> {
+) -> Result<Root<T>, Lost<T>> {
     let small = T::epsilon().sqrt() * reach * T::of(1.0 / 64.0);
     let (mut at, mut size) = (*start, T::infinity());
     for iterations in 1..=MOST {
         let (residual, jacobian) = equations(&at);
-        let step = divide(&residual, &jacobian).ok_or(KinematicsError::Singular(Singularity::Jacobian))?;
+        let Some(step) = divide(&residual, &jacobian) else {
+            return Err(Lost { error: KinematicsError::Singular(Singularity::Jacobian), at });
+        };
         size = norm(&step);
         let held = if size > reach { reach / size } else { T::one() };
         at = plus(&at, -held, &step);
@@ -39,7 +48,7 @@ pub(super) fn solve<T: Real>(
             return Ok(Root { at, iterations });
         }
     }
-    Err(KinematicsError::NoConvergence { iterations: MOST, step: size })
+    Err(Lost { error: KinematicsError::NoConvergence { iterations: MOST, step: size }, at })
 }
 
 /// J⁻¹ f by cofactors; none if J has no inverse worth the name.

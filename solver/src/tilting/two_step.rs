@@ -128,9 +128,11 @@ where
         let zero = T::zero();
         let k = IN_RUN_2.map(|i| column.get(i).copied().unwrap_or(zero));
         let columns = &first.covariance.data.0;
-        let covariance = IN_RUN_2.map(|j| IN_RUN_2.map(|i| columns.get(j).and_then(|c| c.get(i)).copied().unwrap_or(zero)));
+        let covariance =
+            IN_RUN_2.map(|j| IN_RUN_2.map(|i| columns.get(j).and_then(|c| c.get(i)).copied().unwrap_or(zero)));
         let covariance = SMatrix::from_fn(|i, j| covariance.get(j).and_then(|c| c.get(i)).copied().unwrap_or(zero));
-        let solution = self.tilting.solve_given::<OWN, SHARED>(&SVector::from(k), &covariance).map_err(TwoStepError::Tilting)?;
+        let solution =
+            self.tilting.solve_given::<OWN, SHARED>(&SVector::from(k), &covariance).map_err(TwoStepError::Tilting)?;
         Ok(Estimate { solution, radius: self.radius })
     }
 }
