@@ -71,18 +71,18 @@ fn what_has_no_circle() {
     assert_eq!(both(&[[1.0, 5.0], [2.0, 7.0], [1.0, 5.0], [2.0, 7.0]]), CircleError::InLine);
 }
 
-/// Points near a circle, over an arc that need not be whole.
+/// Points near a circle, all along an arc that need not be whole.
 fn ring() -> impl Strategy<Value = Vec<[f64; 2]>> {
     let points = prop::collection::vec((0.0..1.0, -1.0..1.0), 5..60);
-    (points, 90.0..360.0, -900.0..900.0, 1.0..200.0, 1e-6..1e-3).prop_map(
-        |(points, arc, at, radius, form): (Vec<(f64, f64)>, f64, f64, f64, f64)| {
-            let place = |(share, deviation): (f64, f64)| {
-                let (angle, r) = ((share * arc).to_radians(), radius * (1.0 + form * deviation));
-                [at + r * angle.cos(), 0.3 * at + r * angle.sin()]
-            };
-            points.into_iter().map(place).collect()
-        },
-    )
+    let sizes = (90.0..360.0, -900.0..900.0, 1.0..200.0, 1e-6..1e-3);
+    (points, sizes).prop_map(|(points, (arc, at, radius, form)): (Vec<(f64, f64)>, (f64, f64, f64, f64))| {
+        let n = points.len() as f64;
+        let place = |(k, (jitter, deviation)): (usize, &(f64, f64))| {
+            let (angle, r) = (((k as f64 + jitter) / n * arc).to_radians(), radius * (1.0 + form * deviation));
+            [at + r * angle.cos(), 0.3 * at + r * angle.sin()]
+        };
+        points.iter().enumerate().map(place).collect()
+    })
 }
 
 proptest! {
