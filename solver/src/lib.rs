@@ -4,6 +4,7 @@
 pub mod circle;
 pub mod exechon;
 pub mod lstsq;
+pub mod probe;
 pub mod tilting;
 
 pub use lstsq::Real;

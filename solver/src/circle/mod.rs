@@ -3,7 +3,7 @@
 //! ```
 //! use trunnion_solver::circle::{least_squares, minimum_zone};
 //!
-//! let points = [[1.0, 7.0], [2.0, 6.0], [5.0, 8.0], [7.0, 7.0], [9.0, 5.0], [3.0, 7.0]];
+//! let points = [[1.0_f64, 7.0], [2.0, 6.0], [5.0, 8.0], [7.0, 7.0], [9.0, 5.0], [3.0, 7.0]];
 //! let fit = least_squares(&points)?;
 //! assert!((fit.circle.radius - 4.714_226_037_819).abs() < 1e-11);
 //! let zone = minimum_zone(&points)?;
