@@ -4,6 +4,9 @@ use quote::quote;
 use std::{env, error::Error, fs, path::Path};
 use trunnion_codegen::{catalogue, emit, identify};
 
+#[path = "build/exechon.rs"]
+mod exechon;
+
 fn main() -> Result<(), Box<dyn Error>> {
     let name = "tilting-table-a";
     let model = catalogue::model(name).ok_or("not in the catalogue")?.map_err(|p| format!("{name}: {p:?}"))?;
@@ -13,6 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let source = emit::header("//", &model.name) + &emit::rust::pretty(items);
     let out = env::var_os("OUT_DIR").ok_or("no OUT_DIR")?;
     fs::write(Path::new(&out).join("tilting_table_a.rs"), source)?;
+    exechon::write(Path::new(&out))?;
     println!("cargo::rerun-if-changed=build.rs");
     Ok(())
 }

@@ -4,6 +4,7 @@ pub mod algebra;
 pub mod basis;
 pub mod catalogue;
 pub mod emit;
+pub mod exechon;
 pub mod graph;
 pub mod identify;
 pub mod kinematics;

@@ -3,46 +3,101 @@
 //! What a simulated instrument reads comes from here, so that a fit is never tested against its own linear model.
 
 use crate::algebra::{ErrorId, Poly};
-use crate::model::{Axis, AxisKind, Ball, Coordinate, Model, Run, at};
+use crate::model::{Axis, AxisKind, Ball, Model, Run, at};
 
-/// Values of the errors at one place of a run: mm and rad.
+/// Values of the errors of one machine: mm and rad.
 pub trait ErrorValues {
     /// Value of an error; of a motion error at the coordinate (mm or rad) of its axis.
     fn value(&self, error: ErrorId, coordinate: f64) -> f64;
 }
 
-type Point = [f64; 3];
+/// A point in machine coordinates, mm.
+pub type Point = [f64; 3];
 
-/// The workpiece ball and the tool ball in machine coordinates, mm, at one value of the sweep (rad).
-pub fn exact_positions(
-    model: &Model,
-    run: &Run,
-    sweep: f64,
-    constant: &impl Fn(&str) -> f64,
-    errors: &impl ErrorValues,
-) -> [Point; 2] {
-    let value = |p: &Poly| at(p, &model.alphabet, sweep, constant);
-    let position = |axes: &[Axis], coordinates: &[Coordinate], ball: &Ball| {
-        let mut point: Point =
-            core::array::from_fn(|i| value(&ball.at[i]) + ball.setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
-        for (axis, coordinate) in axes.iter().zip(coordinates).rev() {
-            let Some(coordinate) = coordinate.poly().map(value) else { continue };
-            let direction = core::array::from_fn(|i| value(&axis.direction[i]));
-            let motion = axis.motion.map(|e| errors.value(e, coordinate));
-            let location = axis.location.map(|e| e.map_or(0.0, |e| errors.value(e, coordinate)));
-            point = match axis.kind {
-                AxisKind::Rotary => small(&motion, rotate(&direction, coordinate, point)),
-                AxisKind::Linear => {
-                    let moved = small(&motion, point);
-                    core::array::from_fn(|i| moved[i] + coordinate * direction[i])
-                }
-            };
-            point = small(&location, point);
+/// A run with everything nominal worked out at each of its samples; only the errors are missing.
+#[derive(Clone, Debug)]
+pub struct ExactRun {
+    sides: [Vec<NumericAxis>; 2],
+    setups: [Option<[ErrorId; 3]>; 2],
+    stations: Vec<Station>,
+}
+
+#[derive(Clone, Debug)]
+struct NumericAxis {
+    kind: AxisKind,
+    direction: Point,
+    location: [Option<ErrorId>; 6],
+    motion: [ErrorId; 6],
+}
+
+/// Nominal coordinates (workpiece side first, `None` at rest) and balls at one value of the sweep.
+#[derive(Clone, Debug)]
+struct Station {
+    coordinates: Vec<Option<f64>>,
+    balls: [Point; 2],
+}
+
+impl ExactRun {
+    /// Works out `run` at the given values of its sweep (rad); `constant` gives the set-up's lengths in mm.
+    pub fn new(model: &Model, run: &Run, sweeps: &[f64], constant: &impl Fn(&str) -> f64) -> Self {
+        let value = |p: &Poly, sweep: f64| at(p, &model.alphabet, sweep, constant);
+        let ball = |b: &Ball, sweep: f64| core::array::from_fn(|i| value(&b.at[i], sweep));
+        let axis = |a: &Axis| NumericAxis {
+            kind: a.kind,
+            direction: core::array::from_fn(|i| value(&a.direction[i], 0.0)),
+            location: a.location,
+            motion: a.motion,
+        };
+        let station = |&sweep: &f64| Station {
+            coordinates: run.at.iter().map(|c| c.poly().map(|p| value(p, sweep))).collect(),
+            balls: [ball(&run.workpiece_ball, sweep), ball(&run.tool_ball, sweep)],
+        };
+        Self {
+            sides: [model.workpiece.iter().map(axis).collect(), model.tool.iter().map(axis).collect()],
+            setups: [run.workpiece_ball.setup, run.tool_ball.setup],
+            stations: sweeps.iter().map(station).collect(),
         }
-        point
-    };
-    let (workpiece, tool) = run.at.split_at(model.workpiece.len());
-    [position(&model.workpiece, workpiece, &run.workpiece_ball), position(&model.tool, tool, &run.tool_ball)]
+    }
+
+    /// The workpiece ball and the tool ball at every sample.
+    pub fn balls<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = [Point; 2]> + 'a {
+        self.stations.iter().map(|station| {
+            let (workpiece, tool) = station.coordinates.split_at(self.sides[0].len());
+            let [w, t] = station.balls;
+            [
+                position(&self.sides[0], workpiece, w, self.setups[0], errors),
+                position(&self.sides[1], tool, t, self.setups[1], errors),
+            ]
+        })
+    }
+
+    /// Nominal coordinate of an axis (in the order of [`Model::axes`]) at every sample; `None` at rest.
+    pub fn coordinates(&self, axis: usize) -> impl Iterator<Item = Option<f64>> {
+        self.stations.iter().map(move |s| s.coordinates[axis])
+    }
+}
+
+fn position(
+    axes: &[NumericAxis],
+    coordinates: &[Option<f64>],
+    ball: Point,
+    setup: Option<[ErrorId; 3]>,
+    errors: &impl ErrorValues,
+) -> Point {
+    let mut point: Point = core::array::from_fn(|i| ball[i] + setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
+    for (axis, coordinate) in axes.iter().zip(coordinates).rev() {
+        let &Some(coordinate) = coordinate else { continue };
+        let motion = axis.motion.map(|e| errors.value(e, coordinate));
+        point = match axis.kind {
+            AxisKind::Rotary => small(&motion, rotate(&axis.direction, coordinate, point)),
+            AxisKind::Linear => {
+                let moved = small(&motion, point);
+                core::array::from_fn(|i| moved[i] + coordinate * axis.direction[i])
+            }
+        };
+        point = small(&axis.location.map(|e| e.map_or(0.0, |e| errors.value(e, 0.0))), point);
+    }
+    point
 }
 
 /// `[1 −c b x; c 1 −a y; −b a 1 z] · p`

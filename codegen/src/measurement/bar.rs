@@ -2,7 +2,7 @@
 
 use super::ReadingError;
 use crate::algebra::{AlgebraError, Monomial, NominalId, Order, Poly, Rational, difference, dot, integer};
-use crate::kinematics::{ErrorValues, ball_positions, exact_positions};
+use crate::kinematics::{ErrorValues, ExactRun, ball_positions};
 use crate::model::{Model, Run};
 
 /// The nominal distance of the balls.
@@ -54,16 +54,14 @@ fn length(square: &Poly) -> Result<Length, AlgebraError> {
     Ok(Length::RootOf(square.clone()))
 }
 
-/// The exact radial deviation at one value of the sweep: full products and the Euclidean length, mm.
-pub fn exact_deviation(
-    model: &Model,
-    run: &Run,
+/// The exact radial deviations along a run: the Euclidean length of the bar less its nominal length, mm.
+pub fn exact_deviations<'a>(
+    run: &'a ExactRun,
     radius: f64,
-    sweep: f64,
-    constant: &impl Fn(&str) -> f64,
-    errors: &impl ErrorValues,
-) -> f64 {
-    let [w, t] = exact_positions(model, run, sweep, constant, errors);
-    let v: [f64; 3] = core::array::from_fn(|i| w[i] - t[i]);
-    v.iter().map(|x| x * x).sum::<f64>().sqrt() - radius
+    errors: &'a impl ErrorValues,
+) -> impl Iterator<Item = f64> + 'a {
+    run.balls(errors).map(move |[w, t]| {
+        let square: f64 = w.iter().zip(&t).map(|(w, t)| (w - t) * (w - t)).sum();
+        square.sqrt() - radius
+    })
 }

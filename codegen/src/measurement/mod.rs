@@ -2,7 +2,7 @@
 
 mod bar;
 
-pub use bar::{Length, exact_deviation};
+pub use bar::{Length, exact_deviations};
 
 use crate::algebra::{AlgebraError, Order, Poly};
 use crate::model::{Model, ReadingKind, Run};

@@ -1,0 +1,81 @@
+//! The MODEL argument and the lengths of its set-up.
+
+use super::Refused;
+use clap::Args;
+use std::path::Path;
+use trunnion::data::Radius;
+use trunnion::study::Setup;
+use trunnion_codegen::catalogue;
+use trunnion_codegen::model::{Model, Problem, ReadingKind, read};
+
+/// Reads a model by its catalogue name or from a file.
+pub fn load(name: &str) -> Result<Model, Refused> {
+    let (place, source) = match catalogue::source(name) {
+        Some(source) => (name.to_owned(), source.to_owned()),
+        None => {
+            let path = Path::new(name);
+            let source = std::fs::read_to_string(path).map_err(|e| match e.kind() {
+                std::io::ErrorKind::NotFound => {
+                    let names: Vec<&str> = catalogue::MODELS.iter().map(|(n, _)| *n).collect();
+                    Refused::NoSuchModel(name.to_owned(), names.join(", "))
+                }
+                kind => Refused::Unreadable(path.to_owned(), kind),
+            })?;
+            (path.display().to_string(), source)
+        }
+    };
+    read(&source).map_err(|problems| Refused::Model(listed(&place, &source, &problems)))
+}
+
+/// All problems of a model file, a line each.
+fn listed(place: &str, source: &str, problems: &[Problem]) -> String {
+    let one = |p: &Problem| {
+        let line = source.get(..p.span.start).map_or(1, |before| before.matches('\n').count() + 1);
+        let help = p.kind.help().map(|h| format!("\n  {h}")).unwrap_or_default();
+        format!("{place}:{line}: {}{help}", p.kind)
+    };
+    problems.iter().map(one).collect::<Vec<_>>().join("\n")
+}
+
+/// A model and the lengths of its set-up.
+#[derive(Debug, Args)]
+pub struct ModelArguments {
+    /// A name from the catalogue, or a model file.
+    pub model: String,
+    /// Nominal length of the ball-bar, mm.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub radius: f64,
+    /// Another length of the set-up, mm.
+    #[arg(long = "set", value_name = "NAME=MM")]
+    pub lengths: Vec<String>,
+}
+
+impl ModelArguments {
+    /// The model with its lengths.
+    pub fn setup(&self) -> Result<(Setup, Radius), Refused> {
+        let radius = Radius::new(self.radius)?;
+        let model = load(&self.model)?;
+        let mut values: Vec<(&str, f64)> = Vec::new();
+        for given in &self.lengths {
+            let pair = given.split_once('=').and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
+            values.push(pair.ok_or_else(|| Refused::NotAPair {
+                option: "set",
+                given: given.clone(),
+                example: "H=80",
+            })?);
+        }
+        let bars: Vec<String> = model.runs.iter().map(|r| bar(&model, r.reading)).collect();
+        for name in &bars {
+            if values.iter().all(|(n, _)| n != name) {
+                values.push((name, radius.mm()));
+            }
+        }
+        let setup = Setup::new(model.clone(), &values).map_err(|e| Refused::setup(&model, &e))?;
+        Ok((setup, radius))
+    }
+}
+
+fn bar(model: &Model, reading: ReadingKind) -> String {
+    let ReadingKind::BarLength(id) = reading;
+    model.alphabet.nominal_name(id)
+}
