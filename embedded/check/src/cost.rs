@@ -6,7 +6,7 @@ use std::{collections::BTreeMap, fs, path::Path};
 
 /// How far a figure in the documentation may be from the measured one: another compiler is no other solver.
 const DRIFT: f64 = 0.1;
-const BEGIN: &str = "<!-- cost: written by `check cost DIR bless` -->\n";
+const BEGIN: &str = "<!-- cost: written by `check cost DIR BUDGET bless` -->\n";
 const END: &str = "<!-- end of cost -->\n";
 
 /// Rows of the table: what the firmware calls it, and what the reader does.
@@ -32,14 +32,14 @@ const ROWS: [(&str, &str); 18] = [
 ];
 
 /// Measures, and compares with the budget and the table; `bless` writes the table.
-pub fn check(directory: &Path, bless: bool) -> Outcome {
+pub fn check(directory: &Path, budget: &Path, bless: bool) -> Outcome {
     let measured = measure(directory)?;
     // A loop of 10,000 turns of two instructions, and what brings it there: the clock counts instructions.
     match measured.get("delay of 10000") {
         Some(20_000..=20_050) => (),
         other => return Err(format!("the clock counts {other:?} instructions for 20,000")),
     }
-    within_budget(&measured)?;
+    within_budget(&measured, budget)?;
     let mut table = String::from("| | f32 | f64 |\n|---|---:|---:|\n");
     for (key, name) in ROWS {
         let cell = |kind: &str| measured.get(&format!("{kind} {key}")).ok_or(format!("not measured: {kind} {key}"));
@@ -82,9 +82,8 @@ fn flash(path: &Path) -> Result<u64, String> {
 }
 
 /// Every budget is of something measured, and kept.
-fn within_budget(measured: &BTreeMap<String, u64>) -> Outcome {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../budget.toml");
-    let text = fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+fn within_budget(measured: &BTreeMap<String, u64>, path: &Path) -> Outcome {
+    let text = fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
     let budgets: BTreeMap<String, BTreeMap<String, u64>> = toml::from_str(&text).map_err(|e| e.to_string())?;
     let mut passed = Vec::new();
     for (kind, budget) in &budgets {
@@ -101,7 +100,7 @@ fn within_budget(measured: &BTreeMap<String, u64>) -> Outcome {
 }
 
 fn same_table(old: &str, new: &str) -> Outcome {
-    let bless = "`check cost DIR bless` writes the table anew";
+    let bless = "`check cost DIR BUDGET bless` writes the table anew";
     if old.lines().count() != new.lines().count() {
         return Err(format!("the table in docs/controller.md has other rows: {bless}"));
     }

@@ -1,9 +1,9 @@
 //! Runs the firmware in QEMU and holds it to account.
 //!
 //! ```text
-//! check result FILE      ε_xa printed by a program (FILE, or - for the firmware in QEMU) against the host's f64
-//! check cost DIR         cost of the firmware in DIR against budget.toml and the table in docs/controller.md
-//! check cost DIR bless   the same, and writes the table
+//! check result FILE          ε_xa that a program prints (firmware, or its output) against the host's f64
+//! check cost DIR BUDGET        cost of the firmware in DIR against a budget and the table in docs/controller.md
+//! check cost DIR BUDGET bless  the same, and writes the table
 //! ```
 
 mod cost;
@@ -19,9 +19,9 @@ fn main() -> ExitCode {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let outcome = match words[..] {
         ["result", file] => result::check(Path::new(file)),
-        ["cost", directory] => cost::check(Path::new(directory), false),
-        ["cost", directory, "bless"] => cost::check(Path::new(directory), true),
-        _ => Err("usage: check result FILE | check cost DIR [bless]".to_owned()),
+        ["cost", directory, budget] => cost::check(Path::new(directory), Path::new(budget), false),
+        ["cost", directory, budget, "bless"] => cost::check(Path::new(directory), Path::new(budget), true),
+        _ => Err("usage: check result FILE | check cost DIR BUDGET [bless]".to_owned()),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
