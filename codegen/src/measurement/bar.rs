@@ -40,7 +40,7 @@ pub(super) fn deviation(model: &Model, run: &Run, radius: NominalId, order: Orde
     Ok(sum.normal(alphabet)?)
 }
 
-fn length(square: &Poly) -> Result<Length, AlgebraError> {
+pub(super) fn length(square: &Poly) -> Result<Length, AlgebraError> {
     if let [(m, c)] = square.terms() {
         let half: Vec<i8> = m.powers().iter().map(|p| p / 2).collect();
         let root = |n: i128| (n >= 0).then(|| n.unsigned_abs().isqrt() as i128);
