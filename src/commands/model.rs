@@ -64,7 +64,7 @@ impl ModelArguments {
                 example: "H=80",
             })?);
         }
-        let bars: Vec<String> = model.runs.iter().map(|r| bar(&model, r.reading)).collect();
+        let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(&model, &r.reading)).collect();
         for name in &bars {
             if values.iter().all(|(n, _)| n != name) {
                 values.push((name, radius.mm()));
@@ -75,7 +75,10 @@ impl ModelArguments {
     }
 }
 
-fn bar(model: &Model, reading: ReadingKind) -> String {
-    let ReadingKind::BarLength(id) = reading;
-    model.alphabet.nominal_name(id)
+/// The constant that is the length of a run's bar.
+fn bar(model: &Model, reading: &ReadingKind) -> Option<String> {
+    match reading {
+        ReadingKind::BarLength(id) => Some(model.alphabet.nominal_name(*id)),
+        ReadingKind::Displacement(_) => None,
+    }
 }

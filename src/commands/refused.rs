@@ -122,7 +122,7 @@ fn derive(model: &Model, e: &DeriveError) -> String {
         style: trunnion_codegen::emit::equations::Style::Plain,
     };
     match e {
-        DeriveError::Reading(i, ReadingError::NotTheBar(length)) => {
+        DeriveError::Reading(i, ReadingError::NotTogether(length) | ReadingError::NotTheBar(length)) => {
             let length = match length {
                 Length::Exactly(p) => printer.poly(p),
                 Length::RootOf(p) => format!("sqrt({})", printer.poly(p)),
@@ -134,7 +134,7 @@ fn derive(model: &Model, e: &DeriveError) -> String {
         }
         DeriveError::Reading(i, ReadingError::Algebra(e)) => format!("run {}: {e}", run(i)),
         DeriveError::NoBasis(missing) => {
-            let name = |(i, e): &(usize, trunnion_codegen::algebra::ErrorId)| {
+            let name = |(i, e, _): &(usize, trunnion_codegen::algebra::ErrorId, trunnion_codegen::algebra::Poly)| {
                 format!("{} (run {})", model.alphabet.error_name(*e), run(i))
             };
             let names: Vec<String> = missing.iter().map(name).collect();
@@ -143,7 +143,10 @@ fn derive(model: &Model, e: &DeriveError) -> String {
                 names.join(", ")
             )
         }
-        DeriveError::UnknownParameter(name) => format!("`{name}` in `order` is no parameter of these runs"),
+        DeriveError::UnknownParameter(at) => {
+            let name = model.order.get(*at).map_or("?", |t| t.value.as_str());
+            format!("`{name}` in `order` is no parameter of these runs")
+        }
         DeriveError::Algebra(e) => e.to_string(),
     }
 }
