@@ -33,7 +33,11 @@ impl Simulate {
 
 /// Writes the files of a simulation: `RUN.csv`, `table.csv`, `truth.json`.
 pub fn write(setup: &Setup, simulation: &Simulation, measured: &Measured, out: &Path) -> Result<(), Refused> {
-    std::fs::create_dir_all(out).map_err(|e| Refused::Directory(out.to_owned(), e.kind()))?;
+    std::fs::create_dir_all(out).map_err(|e| {
+        // What the operating system calls this, "already exists", leads nowhere.
+        let kind = if out.is_file() { std::io::ErrorKind::NotADirectory } else { e.kind() };
+        Refused::Directory(out.to_owned(), kind)
+    })?;
     for observation in &measured.observations {
         let run = &setup.model.runs[observation.run];
         let samples = observation.samples.iter().map(|s| (s.sweep, s.reading));
