@@ -17,7 +17,7 @@ mod table;
 pub use compensation::{Compensation, CompensationError};
 pub use machine::{BUILT_IN, MachineFileError, read_machine};
 pub use nc::{NcError, ring_program};
-pub use paper::{ExperimentError, Experiments, OffsetRow, experiments};
+pub use paper::{ExperimentError, Experiments, OffsetRow, RING_CENTRES, experiments};
 pub use pictures::{PictureError, drm_map, machine_picture, quintic_picture, ring_picture};
 pub use plan::{Feature, PlanError, PlannedTouch, plan};
 pub use ring::{RingError, RingReport, ring_report};

@@ -10,15 +10,15 @@ use trunnion_solver::exechon::Machine;
 use trunnion_solver::probe::{ProbeError, Touch, offset};
 
 /// The paper's setting ring, diameter in mm (Table 2; Table 4 calls it a radius).
-pub(super) const RING: f64 = 40.001;
+const RING: f64 = 40.001;
 /// A stylus ball's diameter, mm; the paper does not name its own.
-pub(super) const BALL: f64 = 6.0;
+const BALL: f64 = 6.0;
 /// The paper's offset (Table 3), mm.
 const OFFSET: [f64; 2] = [0.210, 0.160];
 /// Standard deviation of a touch, mm: 0.25 µm are two (Table 2).
 const TOUCH: f64 = 0.125e-3;
 /// Centres of the rings: Table 3's two, and that of Fig. 9 and Table 4.
-pub(super) const RINGS: [[f64; 3]; 3] =
+pub const RING_CENTRES: [[f64; 3]; 3] =
     [[-0.625, 200.914, -168.0], [-319.135, 198.236, -168.0], [-316.081, 247.037, -166.817]];
 
 /// A row of Table 3.
@@ -87,20 +87,20 @@ pub fn experiments(machine: &Machine<f64>) -> Result<Experiments, ExperimentErro
         Ok(OffsetRow { centre, compensated, paper, model: fit.offset, uncertainty })
     };
     let offsets = [
-        row(RINGS[0], true, [0.210, 0.160])?,
-        row(RINGS[1], true, [0.212, 0.163])?,
-        row(RINGS[1], false, [0.253, 0.097])?,
+        row(RING_CENTRES[0], true, [0.210, 0.160])?,
+        row(RING_CENTRES[1], true, [0.212, 0.163])?,
+        row(RING_CENTRES[1], false, [0.253, 0.097])?,
     ];
-    let between_rings = rotation_at(machine, RINGS[0], ALONG)? - rotation_at(machine, RINGS[1], ALONG)?;
-    let quintic = Compensation::fit(machine, RINGS[0], radius, 36)?;
+    let between_rings = rotation_at(machine, RING_CENTRES[0], ALONG)? - rotation_at(machine, RING_CENTRES[1], ALONG)?;
+    let quintic = Compensation::fit(machine, RING_CENTRES[0], radius, 36)?;
 
-    let probe = Probe { centre: RINGS[2], radius, offset: OFFSET };
-    let follow = Compensation::fit(machine, RINGS[2], radius, 36)?;
+    let probe = Probe { centre: RING_CENTRES[2], radius, offset: OFFSET };
+    let follow = Compensation::fit(machine, RING_CENTRES[2], radius, 36)?;
     let test = |spindle: &dyn Fn(f64) -> f64| -> Result<RingReport, ExperimentError> {
         let mut points = Vec::new();
         for k in 0..36 {
             let theta = TAU * f64::from(k) / 36.0;
-            let touch = simulate(machine, &probe, [RINGS[2][0], RINGS[2][1]], theta, spindle(theta))?;
+            let touch = simulate(machine, &probe, [RING_CENTRES[2][0], RING_CENTRES[2][1]], theta, spindle(theta))?;
             points.push((touch.position, touch.spindle));
         }
         Ok(ring_report(machine, &points, None, TAU / 36.0)?)
