@@ -15,6 +15,8 @@ use trunnion_codegen::model::Model;
 #[derive(Debug, Error)]
 pub enum Refused {
     #[error(transparent)]
+    Exechon(#[from] super::exechon::Failed),
+    #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
     Radius(#[from] RadiusError),
