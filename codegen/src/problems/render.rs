@@ -29,8 +29,10 @@ fn message(path: &str, source: &str, problem: &Problem, colour: Colour) -> Strin
     }
     // A pointer needs whole characters, and at least one: the end of a file has its last.
     let last = source.char_indices().next_back().map_or(0, |(at, _)| at);
-    let start = source.floor_char_boundary(problem.span.start.min(last));
-    let span = start..source.ceil_char_boundary(problem.span.end.clamp(start + 1, source.len().max(start + 1)));
+    let whole = |at: &usize| source.is_char_boundary(*at);
+    let start = (0..=problem.span.start.min(last)).rev().find(whole).unwrap_or(0);
+    let end = (problem.span.end.max(start + 1)..source.len()).find(whole).unwrap_or(source.len());
+    let span = start..end.max(start);
     let config = Config::default().with_color(colour == Colour::On).with_index_type(IndexType::Byte);
     let label = Label::new((path, span.clone())).with_message(problem.kind.pointer());
     let mut report =
