@@ -1,2 +1,45 @@
-//! The command line.
-fn main() {}
+//! The command line: reads arguments and files, calls the library, prints. It does no mathematics.
+
+mod commands;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Derives, fits and embeds the measurement models of multi-axis machine tools.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// The paper in one command: derive, simulate, fit, and what was recovered against the truth.
+    Demo(commands::demo::Demo),
+    /// Equations, base parameters and source code of a model.
+    Derive(commands::derive::Derive),
+    /// Measurement files of a drawn machine, from exact lengths.
+    Simulate(commands::simulate::Simulate),
+    /// Errors and their uncertainty from measurement files.
+    Fit(commands::fit::Fit),
+    /// Distribution of the largest error of an estimated function over many drawn machines.
+    MonteCarlo(commands::monte_carlo::MonteCarlo),
+}
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Demo(c) => c.run(),
+        Command::Derive(c) => c.run(),
+        Command::Simulate(c) => c.run(),
+        Command::Fit(c) => c.run(),
+        Command::MonteCarlo(c) => c.run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(refused) => {
+            eprintln!("error: {refused}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -5,6 +5,7 @@ pub mod basis;
 pub mod build;
 pub mod catalogue;
 pub mod emit;
+pub mod exechon;
 pub mod graph;
 pub mod identify;
 pub mod kinematics;

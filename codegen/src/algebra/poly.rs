@@ -231,7 +231,7 @@ impl Poly {
         rest: impl Fn(&Monomial) -> Monomial,
     ) -> Vec<(Monomial, Poly)> {
         let mut terms: Vec<(Monomial, Term)> = self.terms.iter().map(|(m, c)| (key(m), (rest(m), *c))).collect();
-        terms.sort_unstable_by_key(|(key, term)| (*key, term.0));
+        terms.sort_unstable_by_key(|t| (t.0, t.1.0));
         let mut groups: Vec<(Monomial, Poly)> = Vec::new();
         for (k, term) in terms {
             match groups.last_mut() {

@@ -39,9 +39,14 @@ impl Univariate {
         Ok(sum)
     }
 
+    /// The coefficients of x⁰, x¹, … as numbers.
+    pub fn coefficients(&self, alphabet: &Alphabet, constant: &impl Fn(&str) -> f64) -> Vec<f64> {
+        self.0.iter().map(|c| at(c, alphabet, 0.0, constant)).collect()
+    }
+
     /// The value at a number.
     pub fn value(&self, x: f64, alphabet: &Alphabet, constant: &impl Fn(&str) -> f64) -> f64 {
-        self.0.iter().rev().fold(0.0, |sum, c| sum * x + at(c, alphabet, 0.0, constant))
+        self.coefficients(alphabet, constant).iter().rev().fold(0.0, |sum, c| sum * x + c)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::ReadingError;
 use crate::algebra::{AlgebraError, Monomial, NominalId, Order, Poly, Rational, difference, dot, integer};
-use crate::kinematics::{ErrorValues, ExactRun, ball_positions};
+use crate::kinematics::ball_positions;
 use crate::model::{Model, Run};
 
 /// The nominal distance of the balls.
@@ -52,16 +52,4 @@ pub(super) fn length(square: &Poly) -> Result<Length, AlgebraError> {
         }
     }
     Ok(Length::RootOf(square.clone()))
-}
-
-/// The exact radial deviations along a run: the Euclidean length of the bar less its nominal length, mm.
-pub fn exact_deviations<'a>(
-    run: &'a ExactRun,
-    radius: f64,
-    errors: &'a impl ErrorValues,
-) -> impl Iterator<Item = f64> + 'a {
-    run.balls(errors).map(move |[w, t]| {
-        let square: f64 = w.iter().zip(&t).map(|(w, t)| (w - t) * (w - t)).sum();
-        square.sqrt() - radius
-    })
 }

@@ -4,8 +4,8 @@ mod bar;
 mod displacement;
 mod exact;
 
-pub use bar::{Length, exact_deviations};
-pub use exact::ExactReading;
+pub use bar::Length;
+pub use exact::exact_readings;
 
 use crate::algebra::{AlgebraError, Order, Poly};
 use crate::model::{Model, ReadingKind, Run};

@@ -1,0 +1,126 @@
+//! The orthogonal least-squares circle.
+
+use super::{Circle, CircleError, Point, distance, extremes};
+use crate::{Real, lstsq::Factor};
+use nalgebra::{SMatrix, SVector};
+
+/// Far more steps than points near a circle need.
+const MOST: u32 = 200;
+
+/// A circle fitted to points, the squares of whose radial deviations have the least sum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CircleFit<T> {
+    /// The circle.
+    pub circle: Circle<T>,
+    /// Covariance of centre x, centre y and radius, mm², from the deviations themselves; zero with three points.
+    pub covariance: SMatrix<T, 3, 3>,
+    /// Standard deviation of the radial deviations, `sqrt(Σd²/(n − 3))`, mm; zero with three points.
+    pub residual_std: T,
+    /// Smallest and largest distance of a point from the centre, mm.
+    pub radii: (T, T),
+}
+
+impl<T: Real> CircleFit<T> {
+    /// Roundness deviation from this circle (RONt, least squares), mm.
+    pub fn roundness(&self) -> T {
+        self.radii.1 - self.radii.0
+    }
+}
+
+/// Fits a circle by Gauss–Newton on the radial deviations, from the circle whose equation fits best (Kåsa).
+///
+/// # Errors
+/// [`CircleError`].
+pub fn least_squares<T: Real>(points: &[Point<T>]) -> Result<CircleFit<T>, CircleError> {
+    let (origin, scale) = placed(points)?;
+    // Coordinates of order one about the points' middle: neither large offsets nor units cost digits.
+    let local = |p: &Point<T>| [(p[0] - origin[0]) / scale, (p[1] - origin[1]) / scale];
+    let mut circle = algebraic(points.iter().map(local))?;
+    let mut last = T::infinity();
+    for _ in 0..MOST {
+        let linear = linearised(points.iter().map(local), &circle)?;
+        let step = linear.solve_with_sigma(T::one()).map_err(|_| CircleError::InLine)?.coefficients;
+        let size = step.dot(&step).sqrt();
+        let reach = T::of(0.5) * circle.radius;
+        let held = if size > reach { reach / size } else { T::one() };
+        circle.centre = [circle.centre[0] + held * step.x, circle.centre[1] + held * step.y];
+        circle.radius += held * step.z;
+        if !(size.is_finite() && circle.radius > T::zero()) {
+            return Err(CircleError::NoConvergence);
+        }
+        // Steps shrink until only rounding is left in them.
+        let bound = T::epsilon() * (T::one() + circle.radius);
+        if size <= bound || size <= T::of(64.0) * bound && size >= last {
+            return finish(points, &circle, origin, scale);
+        }
+        last = size;
+    }
+    Err(CircleError::NoConvergence)
+}
+
+/// Middle and half extent of the points.
+fn placed<T: Real>(points: &[Point<T>]) -> Result<(Point<T>, T), CircleError> {
+    if let Some(point) = points.iter().position(|[x, y]| !(x.is_finite() && y.is_finite())) {
+        return Err(CircleError::NotFinite { point });
+    }
+    let [first, _, _, ..] = points else {
+        return Err(CircleError::TooFewPoints { points: points.len() });
+    };
+    let half = T::of(0.5);
+    let (mut low, mut high) = (*first, *first);
+    for [x, y] in points {
+        low = [low[0].min(*x), low[1].min(*y)];
+        high = [high[0].max(*x), high[1].max(*y)];
+    }
+    let extent = [half * (high[0] - low[0]), half * (high[1] - low[1])];
+    let scale = extent[0].max(extent[1]);
+    let origin = [low[0] + extent[0], low[1] + extent[1]];
+    if scale > T::zero() && scale.is_finite() { Ok((origin, scale)) } else { Err(CircleError::AllEqual) }
+}
+
+/// 2ax + 2by + c = x² + y².
+fn algebraic<T: Real>(points: impl Iterator<Item = Point<T>>) -> Result<Circle<T>, CircleError> {
+    let mut factor = Factor::<T, 3>::new();
+    for [x, y] in points {
+        let row = SVector::from([x + x, y + y, T::one()]);
+        factor.push(&row, x * x + y * y).map_err(|_| CircleError::NoConvergence)?;
+    }
+    let [a, b, c]: [T; 3] = factor.solve_with_sigma(T::one()).map_err(|_| CircleError::InLine)?.coefficients.into();
+    let square = c + a * a + b * b;
+    if square > T::zero() { Ok(Circle { centre: [a, b], radius: square.sqrt() }) } else { Err(CircleError::InLine) }
+}
+
+/// The radial deviations as changes of centre and radius would make them.
+fn linearised<T: Real>(
+    points: impl Iterator<Item = Point<T>>,
+    circle: &Circle<T>,
+) -> Result<Factor<T, 3>, CircleError> {
+    let mut factor = Factor::<T, 3>::new();
+    let [a, b] = circle.centre;
+    for point in points {
+        let r = distance(&circle.centre, &point);
+        // A point on the centre pulls nowhere.
+        let (u, v) = if r > T::zero() { ((point[0] - a) / r, (point[1] - b) / r) } else { (T::zero(), T::zero()) };
+        let row = SVector::from([u, v, T::one()]);
+        factor.push(&row, r - circle.radius).map_err(|_| CircleError::NoConvergence)?;
+    }
+    Ok(factor)
+}
+
+fn finish<T: Real>(
+    points: &[Point<T>],
+    local: &Circle<T>,
+    origin: Point<T>,
+    scale: T,
+) -> Result<CircleFit<T>, CircleError> {
+    let centre = [origin[0] + scale * local.centre[0], origin[1] + scale * local.centre[1]];
+    let circle = Circle { centre, radius: scale * local.radius };
+    let factor = linearised(points.iter().copied(), &circle)?;
+    let estimate = match factor.samples() {
+        3 => factor.solve_with_sigma(T::zero()),
+        _ => factor.solve(),
+    };
+    let estimate = estimate.map_err(|_| CircleError::InLine)?;
+    let radii = extremes(points, &centre);
+    Ok(CircleFit { circle, covariance: estimate.covariance, residual_std: estimate.residual_std, radii })
+}

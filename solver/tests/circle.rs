@@ -1,0 +1,121 @@
+//! Circles against NIST's reference fits, and the minimum zone against its own condition and against search.
+
+use proptest::prelude::*;
+use serde_json::Value;
+use std::fs;
+use trunnion_solver::circle::*;
+
+fn number(value: &Value) -> f64 {
+    value.as_str().unwrap().parse().unwrap()
+}
+
+fn sets() -> Vec<(String, Vec<[f64; 2]>, [f64; 2], f64)> {
+    let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/circle");
+    let files = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
+    let sets = files.map(|file| {
+        let set: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
+        let pair = |value: &Value| [number(&value[0]), number(&value[1])];
+        let points = set["points"].as_array().unwrap().iter().map(pair).collect();
+        let best = &set["mp40"];
+        (set["name"].as_str().unwrap().to_owned(), points, pair(&best["center"]), 2.0 * number(&best["radius"]))
+    });
+    sets.collect()
+}
+
+#[test]
+fn reference_circles_agree() {
+    let sets = sets();
+    assert_eq!(sets.len(), 16);
+    let mut worst = [0f64; 2];
+    for (name, points, centre, diameter) in sets {
+        let fit = least_squares(&points).unwrap();
+        let off = |at: usize| (fit.circle.centre[at] - centre[at]).abs() / centre[at].abs();
+        let (place, size) = (off(0).max(off(1)), (2.0 * fit.circle.radius - diameter).abs() / diameter);
+        println!("{name}: centre {place:e}, diameter {size:e}");
+        worst = [worst[0].max(place), worst[1].max(size)];
+    }
+    println!("worst: centre {:e}, diameter {:e}", worst[0], worst[1]);
+    assert!(worst[0] < 1e-10 && worst[1] < 1e-10);
+}
+
+#[test]
+fn minimum_zones_of_the_reference_sets_are_minimal() {
+    for (name, points, ..) in sets() {
+        let fit = least_squares(&points).unwrap();
+        let zone = minimum_zone(&points).unwrap_or_else(|e| panic!("{name}: {e}"));
+        println!(
+            "{name}: least squares {:.3e}, minimum zone {:.3e} {:?}",
+            fit.roundness(),
+            zone.width(),
+            zone.contacts
+        );
+        assert!(zone.width() <= fit.roundness() && zone.is_minimal(&points, 1e-10));
+        let moved = Zone { centre: [zone.centre[0] + 1e-3 * zone.outer, zone.centre[1]], ..zone };
+        assert!(!moved.is_minimal(&points, 1e-10));
+    }
+}
+
+#[test]
+fn what_has_no_circle() {
+    let both = |points: &[[f64; 2]]| {
+        assert_eq!(minimum_zone(points).unwrap_err(), least_squares(points).unwrap_err());
+        least_squares(points).unwrap_err()
+    };
+    assert_eq!(both(&[]), CircleError::TooFewPoints { points: 0 });
+    assert_eq!(both(&[[1.0, 2.0], [3.0, 4.0]]), CircleError::TooFewPoints { points: 2 });
+    assert_eq!(both(&[[1.0, 2.0]; 7]), CircleError::AllEqual);
+    assert_eq!(both(&[[0.0, 0.0], [1.0, f64::NAN], [2.0, 2.0]]), CircleError::NotFinite { point: 1 });
+    let line: Vec<_> = (0..20).map(|k| [0.1 * f64::from(k) - 300.0, 0.3 * f64::from(k) + 7.0]).collect();
+    assert_eq!(both(&line), CircleError::InLine);
+    assert_eq!(both(&[[1.0, 5.0], [2.0, 5.0], [9.0, 5.0]]), CircleError::InLine);
+    assert_eq!(both(&[[1.0, 5.0], [2.0, 7.0], [1.0, 5.0], [2.0, 7.0]]), CircleError::InLine);
+}
+
+/// Points near a circle, all along an arc that need not be whole.
+fn ring() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    let points = prop::collection::vec((0.0..1.0, -1.0..1.0), 5..60);
+    let sizes = (90.0..360.0, -900.0..900.0, 1.0..200.0, 1e-6..1e-3);
+    (points, sizes).prop_map(|(points, (arc, at, radius, form)): (Vec<(f64, f64)>, (f64, f64, f64, f64))| {
+        let n = points.len() as f64;
+        let place = |(k, (jitter, deviation)): (usize, &(f64, f64))| {
+            let (angle, r) = (((k as f64 + jitter) / n * arc).to_radians(), radius * (1.0 + form * deviation));
+            [at + r * angle.cos(), 0.3 * at + r * angle.sin()]
+        };
+        points.iter().enumerate().map(place).collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_centre_nearby_has_a_narrower_zone(points in ring(), away in prop::collection::vec((-1.0..1.0, -1.0..1.0), 40)) {
+        let zone = minimum_zone(&points);
+        prop_assert!(zone.is_ok(), "{}", zone.unwrap_err());
+        let zone = zone.unwrap();
+        let width = |centre: [f64; 2]| {
+            let radii = points.iter().map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1]));
+            let (low, high) = radii.fold((f64::INFINITY, 0f64), |(l, h), r| (l.min(r), h.max(r)));
+            high - low
+        };
+        for (dx, dy) in away {
+            for size in [1e-2, 1.0, 30.0] {
+                let step = size * zone.width();
+                let other = width([zone.centre[0] + step * dx, zone.centre[1] + step * dy]);
+                prop_assert!(other >= zone.width() - 1e-10, "{other} < {}", zone.width());
+            }
+        }
+    }
+
+    #[test]
+    fn the_least_squares_circle_has_no_gradient(points in ring()) {
+        let fit = least_squares(&points).unwrap();
+        let mut gradient = [0f64; 3];
+        for p in &points {
+            let (x, y) = (p[0] - fit.circle.centre[0], p[1] - fit.circle.centre[1]);
+            let (r, d) = (x.hypot(y), fit.circle.deviation(p));
+            gradient = [gradient[0] + d * x / r, gradient[1] + d * y / r, gradient[2] + d];
+        }
+        prop_assert!(gradient.iter().all(|g| g.abs() < 1e-9), "{gradient:?}");
+    }
+}

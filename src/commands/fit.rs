@@ -1,0 +1,157 @@
+//! `trunnion fit`: errors and their uncertainty from measurement files.
+
+use super::model::ModelArguments;
+use super::{Refused, estimate, print};
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+use trunnion::data::{Dimension, Known, Radius, Sweep, Table};
+use trunnion::study::{Estimator, Limits, Observation, Sample, Setup, fit, report};
+use trunnion_codegen::emit::model::known_name;
+use trunnion_codegen::model::Coordinate;
+
+/// Arguments of `fit`.
+#[derive(Debug, Args)]
+pub struct Fit {
+    #[command(flatten)]
+    model: ModelArguments,
+    /// Measurements of a run; once for every run of the model.
+    #[arg(long = "run", value_name = "NAME=FILE", required = true)]
+    runs: Vec<String>,
+    /// The known functions over the swept angle; without it they are taken as zero.
+    #[arg(long, value_name = "FILE")]
+    table: Option<PathBuf>,
+    /// How the runs are combined.
+    #[arg(long, value_enum, default_value_t = Combine::Joint)]
+    estimator: Combine,
+    /// Weight of a run's samples: one over the variance of its readings, up to a common factor.
+    #[arg(long = "weight", value_name = "NAME=W")]
+    weights: Vec<String>,
+    /// Print one JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+/// An estimator's name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Combine {
+    /// All runs at once.
+    Joint,
+    /// The runs without an estimated function first, the paper's way.
+    TwoStep,
+}
+
+impl From<Combine> for Estimator {
+    fn from(c: Combine) -> Self {
+        match c {
+            Combine::Joint => Self::Joint,
+            Combine::TwoStep => Self::TwoStep,
+        }
+    }
+}
+
+impl Fit {
+    /// Reads, fits, prints.
+    pub fn run(self) -> Result<(), Refused> {
+        let (setup, radius) = self.model.setup()?;
+        let files = self.files(&setup)?;
+        let observations = self.observations(&setup, radius, &files)?;
+        let estimator = Estimator::from(self.estimator);
+        let file_of = |run: usize| files[run].display().to_string();
+        let fitted = fit(&setup, &observations, estimator).map_err(|e| Refused::fit(&setup, &file_of, &e))?;
+        let limits = Limits::PAPER;
+        let without_table = self.table.is_none();
+        let report = report(&setup, &observations, &fitted, limits, without_table)
+            .map_err(|e| Refused::setup(&setup.model, &e))?;
+        for warning in &report.warnings {
+            eprintln!("warning: {warning}");
+        }
+        print(&match self.json {
+            true => format!("{:#}\n", estimate::json(&setup, radius.mm(), estimator, &report)),
+            false => estimate::text(&setup, estimator, limits, &report),
+        })
+    }
+
+    /// The file of every run, in the model's order.
+    fn files(&self, setup: &Setup) -> Result<Vec<PathBuf>, Refused> {
+        let names: Vec<&str> = setup.model.runs.iter().map(|r| r.name.as_str()).collect();
+        let mut files: Vec<Option<PathBuf>> = vec![None; names.len()];
+        for given in &self.runs {
+            let not = || Refused::NotAPair { option: "run", given: given.clone(), example: "tilting=run1.csv" };
+            let (name, file) = given.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(not)?;
+            let at = setup.run(name).ok_or_else(|| Refused::UnknownRun(name.to_owned(), names.join(", ")))?;
+            if files[at].replace(PathBuf::from(file)).is_some() {
+                return Err(Refused::RunTwice(name.to_owned()));
+            }
+        }
+        let missing =
+            |(file, name): (Option<PathBuf>, &&str)| file.ok_or_else(|| Refused::RunMissing((*name).to_owned()));
+        files.into_iter().zip(&names).map(missing).collect()
+    }
+
+    fn weight(&self, run: &str) -> Result<f64, Refused> {
+        let mut weight = 1.0;
+        for given in &self.weights {
+            match given.split_once('=').map(|(name, w)| (name, w.parse::<f64>())) {
+                Some((name, Ok(w))) if w.is_finite() && w > 0.0 => {
+                    if name == run {
+                        weight = w;
+                    }
+                }
+                _ => return Err(Refused::Weight(given.clone())),
+            }
+        }
+        Ok(weight)
+    }
+
+    fn observations(&self, setup: &Setup, radius: Radius, files: &[PathBuf]) -> Result<Vec<Observation>, Refused> {
+        let table = self.table.as_deref().map(|file| known_table(setup, file)).transpose()?;
+        let mut observations = Vec::new();
+        for (run, file) in files.iter().enumerate() {
+            let described = &setup.model.runs[run];
+            let derived = &setup.derivation.runs[run];
+            let least = derived.regressors.len() + 1;
+            let sweep = Sweep::read(file, setup.model.alphabet.sweep_name(described.sweep), radius, least)?;
+            let mut known = vec![vec![0.0; derived.known.len()]; sweep.samples().len()];
+            if let Some((table, functions)) = table.as_ref().filter(|_| !derived.known.is_empty()) {
+                let at_samples = table.at_samples(&sweep)?;
+                for (row, values) in known.iter_mut().zip(&at_samples.values) {
+                    for (value, (f, _)) in row.iter_mut().zip(&derived.known) {
+                        let at = functions.iter().position(|g| g == f);
+                        *value = at.and_then(|at| values.get(at)).copied().unwrap_or(0.0);
+                    }
+                }
+            }
+            let samples = sweep.samples().iter().zip(known);
+            let samples = samples.map(|(s, known)| Sample { sweep: s.angle_rad, reading: s.reading_mm, known });
+            observations.push(Observation { run, weight: self.weight(&described.name)?, samples: samples.collect() });
+        }
+        Ok(observations)
+    }
+}
+
+/// The table of all known functions that the runs see, and their positions in the model.
+fn known_table(setup: &Setup, file: &Path) -> Result<(Table, Vec<usize>), Refused> {
+    let mut functions: Vec<usize> =
+        setup.derivation.runs.iter().flat_map(|r| r.known.iter().map(|(f, _)| *f)).collect();
+    functions.sort_unstable();
+    functions.dedup();
+    let mut angle = "a";
+    for (run, &f) in setup.model.runs.iter().flat_map(|r| functions.iter().map(move |f| (r, f))) {
+        angle = setup.model.alphabet.sweep_name(run.sweep);
+        let Some((axis, _)) = setup.model.axis_of(setup.model.functions[f].error) else { continue };
+        let own = setup.model.alphabet.sweep_symbols(run.sweep)[0];
+        let is_sweep = |c: &Coordinate| c.poly().is_none_or(|p| *p == trunnion_codegen::algebra::Poly::nominal(own));
+        if !is_sweep(&run.at[axis]) {
+            let axis = setup.model.axes().nth(axis).map_or_else(String::new, |a| a.name.clone());
+            return Err(Refused::TableCoordinate(known_name(&setup.model, f), axis));
+        }
+    }
+    let known = |&f: &usize| Known {
+        name: known_name(&setup.model, f),
+        dimension: match setup.component(f).is_some_and(|c| c.is_rotation()) {
+            true => Dimension::Angle,
+            false => Dimension::Length,
+        },
+    };
+    Ok((Table::read(file, angle, &functions.iter().map(known).collect::<Vec<_>>())?, functions))
+}

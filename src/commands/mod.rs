@@ -1,0 +1,24 @@
+//! One module per command, and what they share.
+
+pub mod demo;
+pub mod derive;
+pub mod fit;
+pub mod monte_carlo;
+pub mod simulate;
+
+mod estimate;
+mod model;
+mod refused;
+mod simulated;
+
+pub use refused::Refused;
+
+use std::io::{self, Write};
+
+/// Writes a finished document to standard output; a reader that has gone away is no error.
+fn print(text: &str) -> Result<(), Refused> {
+    match io::stdout().lock().write_all(text.as_bytes()) {
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(Refused::Output(e.kind())),
+        _ => Ok(()),
+    }
+}

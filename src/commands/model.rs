@@ -1,0 +1,78 @@
+//! The MODEL argument and the lengths of its set-up.
+
+use super::Refused;
+use clap::Args;
+use std::io::IsTerminal;
+use std::path::Path;
+use trunnion::data::Radius;
+use trunnion::study::Setup;
+use trunnion_codegen::catalogue;
+use trunnion_codegen::model::{Model, ReadingKind};
+use trunnion_codegen::problems::{Colour, read_and_derive, render};
+
+/// Reads a model by its catalogue name or from a file.
+pub fn load(name: &str) -> Result<Model, Refused> {
+    let (place, source) = match catalogue::source(name) {
+        Some(source) => (name.to_owned(), source.to_owned()),
+        None => {
+            let path = Path::new(name);
+            let source = std::fs::read_to_string(path).map_err(|e| match e.kind() {
+                std::io::ErrorKind::NotFound => {
+                    let names: Vec<&str> = catalogue::MODELS.iter().map(|(n, _)| *n).collect();
+                    Refused::NoSuchModel(name.to_owned(), names.join(", "))
+                }
+                kind => Refused::Unreadable(path.to_owned(), kind),
+            })?;
+            (path.display().to_string(), source)
+        }
+    };
+    let colour = if std::io::stderr().is_terminal() { Colour::On } else { Colour::Off };
+    let derived = read_and_derive(&source);
+    Ok(derived.map_err(|problems| Refused::Model(render(&place, &source, &problems, colour)))?.0)
+}
+
+/// A model and the lengths of its set-up.
+#[derive(Debug, Args)]
+pub struct ModelArguments {
+    /// A name from the catalogue, or a model file.
+    pub model: String,
+    /// Nominal length of the ball-bar, mm.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub radius: f64,
+    /// Another length of the set-up, mm.
+    #[arg(long = "set", value_name = "NAME=MM")]
+    pub lengths: Vec<String>,
+}
+
+impl ModelArguments {
+    /// The model with its lengths.
+    pub fn setup(&self) -> Result<(Setup, Radius), Refused> {
+        let radius = Radius::new(self.radius)?;
+        let model = load(&self.model)?;
+        let mut values: Vec<(&str, f64)> = Vec::new();
+        for given in &self.lengths {
+            let pair = given.split_once('=').and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
+            values.push(pair.ok_or_else(|| Refused::NotAPair {
+                option: "set",
+                given: given.clone(),
+                example: "H=80",
+            })?);
+        }
+        let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(&model, &r.reading)).collect();
+        for name in &bars {
+            if values.iter().all(|(n, _)| n != name) {
+                values.push((name, radius.mm()));
+            }
+        }
+        let setup = Setup::new(model.clone(), &values).map_err(|e| Refused::setup(&model, &e))?;
+        Ok((setup, radius))
+    }
+}
+
+/// The constant that is a run's bar.
+fn bar(model: &Model, reading: &ReadingKind) -> Option<String> {
+    match reading {
+        ReadingKind::BarLength(id) => Some(model.alphabet.nominal_name(*id)),
+        ReadingKind::Displacement(_) => None,
+    }
+}

@@ -1,0 +1,99 @@
+//! A drawn machine and its noisy readings: what `simulate`, `demo` and `monte-carlo` have in common.
+
+use super::Refused;
+use clap::Args;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use trunnion::study::{Limits, Machine, Observation, Sample, Setup, draw, grid, readings};
+use trunnion_codegen::kinematics::ExactRun;
+
+/// What is simulated.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Simulation {
+    /// Seed of the random numbers: the same seed gives the same files.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Samples of each run.
+    #[arg(long, default_value_t = 360)]
+    pub samples: usize,
+    /// Half width of the uniform noise of the readings, µm.
+    #[arg(long, default_value_t = 0.1)]
+    pub noise_um: f64,
+    /// Largest length error, µm.
+    #[arg(long, default_value_t = 30.0)]
+    pub length_um: f64,
+    /// Largest angle error, µrad.
+    #[arg(long, default_value_t = 100.0)]
+    pub angle_urad: f64,
+    /// First angle, degrees.
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    pub from_deg: f64,
+    /// End of the range, degrees; the last sample is one step before it.
+    #[arg(long, default_value_t = 360.0, allow_negative_numbers = true)]
+    pub to_deg: f64,
+}
+
+/// Most samples of one run.
+const MOST_SAMPLES: usize = 10_000_000;
+
+impl Simulation {
+    /// Refuses what cannot be simulated.
+    pub fn check(&self) -> Result<(), Refused> {
+        let not_negative =
+            [("noise-um", self.noise_um), ("length-um", self.length_um), ("angle-urad", self.angle_urad)];
+        for (option, value) in not_negative {
+            if !(value.is_finite() && (0.0..=1e4).contains(&value)) {
+                return Err(Refused::Option(option, value.to_string(), "expected a number from 0 to 10000"));
+            }
+        }
+        for (option, value) in [("from-deg", self.from_deg), ("to-deg", self.to_deg)] {
+            if !(value.is_finite() && value.abs() <= 3600.0) {
+                return Err(Refused::Option(option, value.to_string(), "expected an angle within ten turns"));
+            }
+        }
+        if self.to_deg <= self.from_deg {
+            return Err(Refused::Option("to-deg", self.to_deg.to_string(), "expected an angle beyond --from-deg"));
+        }
+        if !(1..=MOST_SAMPLES).contains(&self.samples) {
+            return Err(Refused::Option("samples", self.samples.to_string(), "expected a number from 1 to 10000000"));
+        }
+        Ok(())
+    }
+
+    /// First angle and end, rad.
+    pub fn range(&self) -> (f64, f64) {
+        (self.from_deg.to_radians(), self.to_deg.to_radians())
+    }
+
+    /// Limits of the errors.
+    pub fn limits(&self) -> Limits {
+        Limits { length: self.length_um * 1e-3, angle: self.angle_urad * 1e-6 }
+    }
+
+    /// Draws a machine and measures it.
+    pub fn measure(&self, setup: &Setup) -> Measured {
+        let sweeps: Vec<f64> =
+            grid(self.samples, (self.from_deg, self.to_deg)).into_iter().map(f64::to_radians).collect();
+        let exact: Vec<ExactRun> = (0..setup.model.runs.len()).map(|r| setup.exact_run(r, &sweeps)).collect();
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let machine = draw(setup, &exact, self.limits(), &mut random);
+        let mut observe = |run: usize| {
+            let clean = readings(setup, run, &exact[run], &machine);
+            let known = setup.true_known(run, &exact[run], &machine);
+            let sample = |(i, (&sweep, clean)): (usize, (&f64, f64))| Sample {
+                sweep,
+                reading: clean + random.random_range(-1.0..=1.0) * self.noise_um * 1e-3,
+                known: known.get(i).cloned().unwrap_or_default(),
+            };
+            Observation { run, weight: 1.0, samples: sweeps.iter().zip(clean).enumerate().map(sample).collect() }
+        };
+        let observations = (0..exact.len()).map(&mut observe).collect();
+        Measured { machine, observations }
+    }
+}
+
+/// A machine and what was read on it.
+pub struct Measured {
+    pub machine: Machine,
+    pub observations: Vec<Observation>,
+}

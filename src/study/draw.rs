@@ -1,0 +1,175 @@
+//! Machines drawn at random within bounds.
+//!
+//! A location or set-up error is uniform within ± its limit. A motion error is a random combination of its functions, each
+//! scaled to a largest value of one over the coordinates of the runs, and the sum is scaled to a largest value uniform
+//! between 0 and its limit. A function with a basis is drawn in that basis; one that is known or of which nothing is
+//! assumed is a polynomial of degree 2 of a linear axis, or two harmonics of a rotary one that vanish at 0; one assumed
+//! to be zero is zero.
+
+use super::setup::Setup;
+use rand::{Rng, RngExt};
+use trunnion_codegen::algebra::{ErrorId, Quantity};
+use trunnion_codegen::basis::{Basis, Univariate};
+use trunnion_codegen::identify::{Origin, Parameter};
+use trunnion_codegen::kinematics::{ErrorValues, ExactRun};
+use trunnion_codegen::model::AxisKind;
+
+/// Largest errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Of lengths, mm.
+    pub length: f64,
+    /// Of angles, rad.
+    pub angle: f64,
+}
+
+impl Limits {
+    /// The paper's: ±30 µm and ±100 µrad.
+    pub const PAPER: Self = Self { length: 0.03, angle: 1e-4 };
+
+    /// The limit of an error.
+    pub fn of(&self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Length => self.length,
+            Quantity::Angle => self.angle,
+        }
+    }
+}
+
+/// One machine: a value for every error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Machine {
+    values: Vec<Shape>,
+    /// Of each error, its coefficients in its basis; none where it has no basis.
+    coefficients: Vec<Vec<f64>>,
+}
+
+/// An error's value as a function of its coordinate.
+#[derive(Clone, Debug, PartialEq)]
+enum Shape {
+    Constant(f64),
+    /// Coefficients of x⁰, x¹, …
+    Polynomial(Vec<f64>),
+    /// `c₀ + Σ cₖ cos kx + sₖ sin kx`
+    Harmonics(f64, Vec<(f64, f64)>),
+}
+
+impl Shape {
+    fn at(&self, x: f64) -> f64 {
+        match self {
+            Self::Constant(v) => *v,
+            Self::Polynomial(c) => c.iter().rev().fold(0.0, |sum, c| sum * x + c),
+            Self::Harmonics(constant, waves) => {
+                let wave = |(k, (c, s)): (usize, &(f64, f64))| {
+                    let (sin, cos) = ((k + 1) as f64 * x).sin_cos();
+                    c * cos + s * sin
+                };
+                constant + waves.iter().enumerate().map(wave).sum::<f64>()
+            }
+        }
+    }
+
+    fn scaled(mut self, factor: f64) -> Self {
+        match &mut self {
+            Self::Constant(v) => *v *= factor,
+            Self::Polynomial(c) => c.iter_mut().for_each(|c| *c *= factor),
+            Self::Harmonics(constant, waves) => {
+                *constant *= factor;
+                waves.iter_mut().for_each(|(c, s)| (*c, *s) = (*c * factor, *s * factor));
+            }
+        }
+        self
+    }
+}
+
+impl ErrorValues for Machine {
+    fn value(&self, error: ErrorId, coordinate: f64) -> f64 {
+        self.values[error.index()].at(coordinate)
+    }
+}
+
+impl Machine {
+    /// True value of every physical parameter of the derivation, in its order: mm, rad, or per power of the coordinate.
+    pub fn parameters(&self, setup: &Setup) -> Vec<f64> {
+        let value = |p: &Parameter| match p.origin {
+            Origin::Constant(error) => self.value(error, 0.0),
+            Origin::Coefficient(function, k) => {
+                let error = setup.model.functions[function].error;
+                self.coefficients[error.index()].get(k).copied().unwrap_or(0.0)
+            }
+        };
+        setup.derivation.parameters.iter().map(value).collect()
+    }
+
+    /// True value of every base parameter.
+    pub fn base(&self, setup: &Setup) -> Vec<f64> {
+        let parameters = self.parameters(setup);
+        setup.definitions().iter().map(|d| d.iter().map(|(j, f)| f * parameters[*j]).sum()).collect()
+    }
+}
+
+/// Draws a machine. `runs` are the runs to be simulated: they say over which coordinates a function is scaled.
+pub fn draw(setup: &Setup, runs: &[ExactRun], limits: Limits, random: &mut impl Rng) -> Machine {
+    let model = &setup.model;
+    let shape = |(id, _, quantity): (ErrorId, &str, Quantity)| {
+        let limit = limits.of(quantity);
+        let Some((axis, _)) = model.axis_of(id) else { return (Shape::Constant(uniform(random) * limit), Vec::new()) };
+        let coordinates: Vec<f64> = runs.iter().flat_map(|r| r.coordinates(axis)).flatten().collect();
+        let kind = model.axes().nth(axis).map_or(AxisKind::Linear, |a| a.kind);
+        let parts = parts(setup, id, kind);
+        let largest = |s: &Shape| coordinates.iter().map(|&x| s.at(x).abs()).fold(0.0, f64::max);
+        let inverse = |s: &Shape| Some(largest(s)).filter(|size| *size > 0.0).map_or(0.0, f64::recip);
+        let factors: Vec<f64> = parts.iter().map(|s| uniform(random) * inverse(s)).collect();
+        let sum = sum(parts.into_iter().zip(&factors).map(|(s, f)| s.scaled(*f)).collect());
+        let scale = limit * random.random::<f64>() * inverse(&sum);
+        let in_basis = model.function(id).is_some_and(|f| !f.basis.suffixes().is_empty());
+        let coefficients = if in_basis { factors.iter().map(|f| f * scale).collect() } else { Vec::new() };
+        (sum.scaled(scale), coefficients)
+    };
+    let (values, coefficients) = model.alphabet.errors().map(shape).unzip();
+    Machine { values, coefficients }
+}
+
+/// The functions a motion error is drawn from.
+fn parts(setup: &Setup, error: ErrorId, kind: AxisKind) -> Vec<Shape> {
+    let wave = |k: usize, at: usize, cos: bool| {
+        let mut waves = vec![(0.0, 0.0); k];
+        waves[at - 1] = if cos { (1.0, 0.0) } else { (0.0, 1.0) };
+        waves
+    };
+    match (setup.model.function(error).map(|f| &f.basis), kind) {
+        (Some(Basis::Zero), _) => Vec::new(),
+        (Some(Basis::Polynomials(p)), _) => {
+            let number = |u: &Univariate| u.coefficients(&setup.model.alphabet, &|n| setup.constant(n));
+            p.iter().map(|u| Shape::Polynomial(number(u))).collect()
+        }
+        (Some(Basis::Fourier(n)), _) => {
+            let n = usize::from(*n);
+            (1..=n).flat_map(|k| [true, false].map(|cos| Shape::Harmonics(0.0, wave(n, k, cos)))).collect()
+        }
+        (_, AxisKind::Linear) => vec![Shape::Polynomial(vec![0.0, 1.0]), Shape::Polynomial(vec![0.0, 0.0, 1.0])],
+        (_, AxisKind::Rotary) => (1..=2)
+            .flat_map(|k| [Shape::Harmonics(-1.0, wave(2, k, true)), Shape::Harmonics(0.0, wave(2, k, false))])
+            .collect(),
+    }
+}
+
+fn sum(shapes: Vec<Shape>) -> Shape {
+    let add = |a: Shape, b: Shape| match (a, b) {
+        (Shape::Polynomial(a), Shape::Polynomial(b)) => {
+            let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
+            Shape::Polynomial((0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect())
+        }
+        (Shape::Harmonics(c, a), Shape::Harmonics(d, b)) => {
+            let at = |w: &[(f64, f64)], i: usize| w.get(i).copied().unwrap_or((0.0, 0.0));
+            let pair = |i| (at(&a, i).0 + at(&b, i).0, at(&a, i).1 + at(&b, i).1);
+            Shape::Harmonics(c + d, (0..a.len().max(b.len())).map(pair).collect())
+        }
+        (a, _) => a,
+    };
+    shapes.into_iter().reduce(add).unwrap_or(Shape::Constant(0.0))
+}
+
+fn uniform(random: &mut impl Rng) -> f64 {
+    random.random_range(-1.0..=1.0)
+}

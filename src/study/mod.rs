@@ -1,0 +1,21 @@
+//! The mathematics that joins a description, its derivation and the solver: fits, exact simulation, what is neglected.
+//!
+//! Nothing here reads or writes a file or a terminal.
+
+mod draw;
+mod fit;
+mod least_squares;
+mod monte_carlo;
+mod neglected;
+mod report;
+mod setup;
+mod simulate;
+
+pub use draw::{Limits, Machine, draw};
+pub use fit::{Estimator, Fit, FitError, Observation, Sample, fit};
+pub use least_squares::{LARGEST, Separation};
+pub use monte_carlo::{Plan, Spread, Trial, monte_carlo};
+pub use neglected::{Neglected, neglected};
+pub use report::{Coefficient, Curve, Point, Report, WARN_CONDITION, Warning, report};
+pub use setup::{Setup, SetupError};
+pub use simulate::{grid, readings};

@@ -1,0 +1,150 @@
+//! The largest error of an estimated function over many drawn machines, and where it comes from.
+
+use super::draw::{Limits, draw};
+use super::fit::{Estimator, FitError, Observation, Sample, fit};
+use super::setup::Setup;
+use super::simulate::{grid, readings};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use trunnion_codegen::kinematics::{ErrorValues, ExactRun};
+
+/// What is drawn, and how often.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// Number of machines.
+    pub trials: u64,
+    /// Samples of each run.
+    pub samples: usize,
+    /// First and last sweep, rad.
+    pub range: (f64, f64),
+    /// Bounds of the errors.
+    pub limits: Limits,
+    /// Half width of the uniform noise, mm.
+    pub noise: f64,
+    /// Machine n is drawn from stream n of this seed, whatever thread does it.
+    pub seed: u64,
+}
+
+/// Largest error of the function over the range on one machine, in its own unit (mm or rad).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trial {
+    /// From noise alone: any linear model must give the same.
+    pub noise: f64,
+    /// From linearisation alone.
+    pub linearisation: f64,
+    /// From both.
+    pub both: f64,
+}
+
+/// Distribution of one of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Mean.
+    pub mean: f64,
+    /// Median.
+    pub median: f64,
+    /// 95 % are smaller.
+    pub p95: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+impl Spread {
+    /// Distribution of `values`; `None` for no values.
+    pub fn of(mut values: Vec<f64>) -> Option<Self> {
+        values.sort_by(f64::total_cmp);
+        let quantile = |p: f64| {
+            let at = p * (values.len() - 1) as f64;
+            let (low, high) = (values[at.floor() as usize], values[at.ceil() as usize]);
+            low + (high - low) * at.fract()
+        };
+        let max = *values.last()?;
+        Some(Self {
+            mean: values.iter().sum::<f64>() / values.len() as f64,
+            median: quantile(0.5),
+            p95: quantile(0.95),
+            max,
+        })
+    }
+}
+
+/// Points at which a function's error is looked at.
+const POINTS: usize = 1441;
+
+/// Draws machines, simulates all runs exactly and estimates one function; `done` is called after every machine.
+///
+/// # Errors
+/// [`FitError`] if these runs over this range do not determine the function.
+pub fn monte_carlo(
+    setup: &Setup,
+    plan: Plan,
+    estimator: Estimator,
+    function: usize,
+    done: &(dyn Fn() + Sync),
+) -> Result<Vec<Trial>, FitError> {
+    let sweeps = grid(plan.samples, plan.range);
+    let runs: Vec<usize> = (0..setup.model.runs.len()).collect();
+    let exact: Vec<ExactRun> = runs.iter().map(|&r| setup.exact_run(r, &sweeps)).collect();
+    // The estimate is linear in the readings: its matrix is worked out once, on readings of zero.
+    let zero = |&run: &usize| {
+        let known = vec![0.0; setup.derivation.runs[run].known.len()];
+        let samples = sweeps.iter().map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone() }).collect();
+        Observation { run, weight: 1.0, samples }
+    };
+    let observations: Vec<Observation> = runs.iter().map(zero).collect();
+    let estimate = fit(setup, &observations, estimator)?;
+    let coefficients = setup.basis(function, 1.0).into_iter().map(|(b, _)| b);
+    let operator: Vec<Vec<Vec<f64>>> =
+        coefficients.map(|b| estimate.coefficient_sensitivity(setup, &observations, b)).collect();
+    let step = (plan.range.1 - plan.range.0) / (POINTS - 1) as f64;
+    let points: Vec<(f64, Vec<f64>)> = (0..POINTS)
+        .map(|i| plan.range.0 + step * i as f64)
+        .map(|x| (x, setup.basis(function, x).into_iter().map(|(_, v)| v).collect()))
+        .collect();
+    let factors: Vec<Vec<Vec<f64>>> = runs
+        .iter()
+        .map(|&run| {
+            let mut row = setup.row(run);
+            sweeps.iter().map(|&a| row.at(a).1.to_vec()).collect()
+        })
+        .collect();
+    let error = setup.model.functions[function].error;
+
+    let trial = |n: u64| {
+        let mut random = ChaCha8Rng::seed_from_u64(plan.seed);
+        random.set_stream(n);
+        let machine = draw(setup, &exact, plan.limits, &mut random);
+        let apply = |data: &[Vec<f64>]| -> Vec<f64> {
+            let part = |(weights, y): (&Vec<f64>, &Vec<f64>)| weights.iter().zip(y).map(|(w, y)| w * y).sum::<f64>();
+            operator.iter().map(|runs| runs.iter().zip(data).map(part).sum()).collect()
+        };
+        let clean: Vec<Vec<f64>> = runs
+            .iter()
+            .map(|&run| {
+                let mut y = readings(setup, run, &exact[run], &machine);
+                for ((y, known), factors) in
+                    y.iter_mut().zip(setup.true_known(run, &exact[run], &machine)).zip(&factors[run])
+                {
+                    *y -= factors.iter().zip(known).map(|(f, k)| f * k).sum::<f64>();
+                }
+                y
+            })
+            .collect();
+        let width = plan.noise;
+        let noise: Vec<Vec<f64>> =
+            runs.iter().map(|_| sweeps.iter().map(|_| random.random_range(-1.0..=1.0) * width).collect()).collect();
+        let (systematic, random_part) = (apply(&clean), apply(&noise));
+        let mut worst = Trial { noise: 0.0, linearisation: 0.0, both: 0.0 };
+        for (x, basis) in &points {
+            let value = |c: &[f64]| basis.iter().zip(c).map(|(b, c)| b * c).sum::<f64>();
+            let (s, r) = (value(&systematic) - machine.value(error, *x), value(&random_part));
+            worst.noise = worst.noise.max(r.abs());
+            worst.linearisation = worst.linearisation.max(s.abs());
+            worst.both = worst.both.max((s + r).abs());
+        }
+        done();
+        worst
+    };
+    Ok((0..plan.trials).into_par_iter().map(trial).collect())
+}

@@ -1,0 +1,283 @@
+//! What a fit says: numbers with units, and what to be wary of.
+
+use super::draw::Limits;
+use super::fit::{Fit, Observation};
+use super::neglected::neglected;
+use super::setup::{Setup, SetupError};
+use trunnion_codegen::algebra::{Nominal, Poly};
+use trunnion_codegen::basis::Basis;
+use trunnion_codegen::model::{AxisKind, Component};
+use trunnion_solver::lstsq::student_t_95;
+
+/// Above this condition (columns scaled) coefficients are called hardly separable: a whole turn of the paper's runs has 184,
+/// 220° has 504, −90…90° has 1,180, and 120° already 20,000.
+pub const WARN_CONDITION: f64 = 3000.0;
+
+/// A fit with units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// Each run: name, samples, root mean square of its residuals in µm.
+    pub runs: Vec<(String, usize, f64)>,
+    /// The estimated base parameters.
+    pub coefficients: Vec<Coefficient>,
+    /// The estimated functions.
+    pub functions: Vec<Curve>,
+    /// Condition number of the design, columns scaled.
+    pub condition: f64,
+    /// Per run, the largest second-order reading that linearisation drops within the stated limits, µm.
+    pub neglected: Vec<f64>,
+    /// What to be wary of.
+    pub warnings: Vec<Warning>,
+}
+
+/// A base parameter's estimate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coefficient {
+    /// `k1`
+    pub name: String,
+    /// Estimate.
+    pub value: f64,
+    /// Its standard deviation.
+    pub std: f64,
+    /// Unit of both.
+    pub unit: String,
+}
+
+/// An estimated function over the range of the data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// `eps_xa`
+    pub name: String,
+    /// `urad` or `um`
+    pub unit: &'static str,
+    /// Name of its coordinate: the axis' letter.
+    pub coordinate: String,
+    /// `deg` or `mm`
+    pub coordinate_unit: &'static str,
+    /// Points every 5° (or over 20 steps of a linear axis) within the range.
+    pub points: Vec<Point>,
+    /// The largest systematic error that the dropped second-order terms can leave in it, in its unit.
+    pub neglected: f64,
+}
+
+/// One point of a curve, in its units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Coordinate.
+    pub at: f64,
+    /// Estimate.
+    pub value: f64,
+    /// Half width of the 95 % band.
+    pub u95: f64,
+}
+
+/// What to be wary of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// These coefficients are hardly told apart.
+    HardlySeparated {
+        /// Condition number.
+        condition: f64,
+        /// Names of the coefficients.
+        names: Vec<String>,
+    },
+    /// A known function was taken as zero.
+    TakenAsZero {
+        /// Its name in a table.
+        known: String,
+        /// Its unit: `um` or `urad`.
+        unit: &'static str,
+        /// Per estimated function: name, unit, and the largest error that one unit of it can cause there.
+        costs: Vec<(String, &'static str, f64)>,
+    },
+}
+
+impl core::fmt::Display for Warning {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::HardlySeparated { condition, names } => write!(
+                f,
+                "these samples hardly tell {} apart (condition {condition:.0}): small disturbances move them far; measure over a longer arc",
+                names.join(", ")
+            ),
+            Self::TakenAsZero { known, unit, costs } => {
+                write!(f, "no table: {known} is taken as zero")?;
+                for (name, own, cost) in costs {
+                    write!(f, "; each {unit} of it can put up to {cost:.1} {own} into {name}")?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Scale from mm and rad to the unit of a report.
+fn unit(component: Option<Component>) -> (&'static str, f64) {
+    match component.is_some_and(Component::is_rotation) {
+        true => ("urad", 1e6),
+        false => ("um", 1e3),
+    }
+}
+
+/// The report of a fit. `without_table` says that the known functions were taken as zero.
+///
+/// # Errors
+/// [`SetupError`] where the second-order derivation overflows.
+pub fn report(
+    setup: &Setup,
+    observations: &[Observation],
+    fit: &Fit,
+    limits: Limits,
+    without_table: bool,
+) -> Result<Report, SetupError> {
+    let name = |b: usize| setup.derivation.base[b].name.clone();
+    let coefficient = |(i, &b): (usize, &usize)| Coefficient {
+        name: name(b),
+        value: fit.values[i],
+        std: fit.covariance[(i, i)].max(0.0).sqrt(),
+        unit: coefficient_unit(setup, b),
+    };
+    let mut bounds = Vec::new();
+    for o in observations {
+        let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
+        bounds.push(neglected(setup, o.run, &sweeps, limits)?.bound);
+    }
+    let functions: Vec<Curve> = setup.estimated().filter_map(|f| curve(setup, observations, fit, f, &bounds)).collect();
+    let mut warnings = Vec::new();
+    if fit.separation.condition > WARN_CONDITION {
+        let names = fit.separation.weakest.iter().map(|&b| name(b)).collect();
+        warnings.push(Warning::HardlySeparated { condition: fit.separation.condition, names });
+    }
+    if without_table {
+        warnings.extend(taken_as_zero(setup, observations, fit));
+    }
+    let run = |(o, rms): (&Observation, &f64)| (setup.model.runs[o.run].name.clone(), o.samples.len(), rms * 1e3);
+    Ok(Report {
+        runs: observations.iter().zip(&fit.rms).map(run).collect(),
+        coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
+        functions,
+        condition: fit.separation.condition,
+        neglected: bounds.iter().map(|b| b.iter().copied().fold(0.0, f64::max) * 1e3).collect(),
+        warnings,
+    })
+}
+
+/// An estimated function where the runs that see it went.
+fn curve(
+    setup: &Setup,
+    observations: &[Observation],
+    fit: &Fit,
+    function: usize,
+    bounds: &[Vec<f64>],
+) -> Option<Curve> {
+    let error = setup.model.functions[function].error;
+    let (axis, component) = setup.model.axis_of(error)?;
+    let kind = setup.model.axes().nth(axis)?.kind;
+    let (coordinate_unit, to_inner) = match kind {
+        AxisKind::Rotary => ("deg", std::f64::consts::PI / 180.0),
+        AxisKind::Linear => ("mm", 1.0),
+    };
+    let coordinates: Vec<f64> =
+        observations.iter().flat_map(|o| coordinates(setup, o, axis)).map(|x| x / to_inner).collect();
+    let low = coordinates.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = coordinates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let step = if kind == AxisKind::Rotary { 5.0 } else { (high - low) / 20.0 };
+    // Rounding in degrees must not lose a point at either end.
+    let slack = 1e-9 * step;
+    let (first, last) = (((low - slack) / step).ceil() as i64, ((high + slack) / step).floor() as i64);
+    let (unit, scale) = unit(Some(component));
+    let t = student_t_95::<f64>(fit.degrees_of_freedom);
+    let mut dropped = 0.0f64;
+    let mut points = Vec::new();
+    for i in first..=last {
+        let at = i as f64 * step;
+        let (value, std) = fit.function(setup, function, at * to_inner);
+        points.push(Point { at, value: value * scale, u95: t * std * scale });
+        let sensitivity = fit.sensitivity(setup, observations, function, at * to_inner);
+        let sum = |(w, b): (&Vec<f64>, &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
+        dropped = dropped.max(sensitivity.iter().zip(bounds).map(sum).sum::<f64>() * scale);
+    }
+    Some(Curve {
+        name: setup.function_name(function),
+        unit,
+        coordinate: setup.model.axes().nth(axis)?.name.to_lowercase(),
+        coordinate_unit,
+        points,
+        neglected: dropped,
+    })
+}
+
+fn coordinates(setup: &Setup, observation: &Observation, axis: usize) -> Vec<f64> {
+    let sweeps: Vec<f64> = observation.samples.iter().map(|s| s.sweep).collect();
+    setup.exact_run(observation.run, &sweeps).coordinates(axis).flatten().collect()
+}
+
+/// What leaving out the table costs: for each known function the largest error that one unit of it, of the worst shape, can
+/// cause in an estimated function.
+fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<Warning> {
+    let mut known: Vec<usize> =
+        observations.iter().flat_map(|o| setup.derivation.runs[o.run].known.iter().map(|(f, _)| *f)).collect();
+    known.sort_unstable();
+    known.dedup();
+    let mut costs: Vec<Vec<(String, &'static str, f64)>> = vec![Vec::new(); known.len()];
+    for function in setup.estimated() {
+        let (own, scale) = unit(setup.component(function));
+        let span = observations.iter().flat_map(|o| o.samples.iter().map(|s| s.sweep));
+        let (first, last) = span.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
+        for (cost, &k) in costs.iter_mut().zip(&known) {
+            let (_, known_scale) = unit(setup.component(k));
+            let largest = (0..=36).map(|i| first + (last - first) * f64::from(i) / 36.0).map(|x| {
+                let sensitivity = fit.sensitivity(setup, observations, function, x);
+                sensitivity.iter().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
+            });
+            cost.push((setup.function_name(function), own, largest.fold(0.0, f64::max) * scale / known_scale));
+        }
+    }
+    let warning = |(&k, costs): (&usize, Vec<_>)| Warning::TakenAsZero {
+        known: trunnion_codegen::emit::model::known_name(&setup.model, k),
+        unit: unit(setup.component(k)).0,
+        costs,
+    };
+    known.iter().zip(costs).map(warning).collect()
+}
+
+fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: usize) -> f64 {
+    let Some(at) = setup.derivation.runs[observation.run].known.iter().position(|(f, _)| *f == known) else {
+        return 0.0;
+    };
+    let mut row = setup.row(observation.run);
+    observation.samples.iter().zip(weights).map(|(s, w)| (w * row.at(s.sweep).1[at]).abs()).sum()
+}
+
+/// Unit of a base parameter: the reading's mm over that of its regressor.
+fn coefficient_unit(setup: &Setup, base: usize) -> String {
+    let b = &setup.derivation.base[base];
+    if let Some((function, k)) = b.estimates {
+        let error = setup.model.functions[function].error;
+        let Some((axis, component)) = setup.model.axis_of(error) else { return String::new() };
+        let value = if component.is_rotation() { "rad" } else { "mm" };
+        let rotary = setup.model.axes().nth(axis).is_some_and(|a| a.kind == AxisKind::Rotary);
+        return match &setup.model.functions[function].basis {
+            Basis::Polynomials(p) => {
+                let degree = p.get(k).map_or(0, |u| u.0.len().saturating_sub(1));
+                format!("{value}/{}^{degree}", if rotary { "rad" } else { "mm" })
+            }
+            _ => value.to_owned(),
+        };
+    }
+    let run = &setup.derivation.runs[b.run];
+    let regressor = run.regressors.iter().find(|(i, _)| *i == base).map(|(_, r)| r);
+    let degree = |p: &Poly| {
+        let length = |id| matches!(setup.model.alphabet.nominal(id), Nominal::Constant(_));
+        let ids = setup.model.alphabet.nominals().map(|(id, _)| id).filter(|id| length(*id));
+        p.terms().first().map_or(0, |(m, _)| ids.map(|id| i32::from(m.exponent(id))).sum::<i32>())
+    };
+    let power = regressor.map_or(0, |r| degree(r.numerator()) - r.denominator().map_or(0, degree));
+    match 1 - power {
+        1 => "mm".to_owned(),
+        0 => "1".to_owned(),
+        -1 => "1/mm".to_owned(),
+        n if n < 0 => format!("1/mm^{}", -n),
+        n => format!("mm^{n}"),
+    }
+}
