@@ -30,10 +30,9 @@ struct NumericAxis {
     motion: [ErrorId; 6],
 }
 
-/// The sweep, nominal coordinates (workpiece side first, `None` at rest) and balls at one value of the sweep.
+/// Nominal coordinates (workpiece side first, `None` at rest) and balls at one value of the sweep.
 #[derive(Clone, Debug)]
 struct Station {
-    sweep: f64,
     coordinates: Vec<Option<f64>>,
     balls: [Point; 2],
 }
@@ -50,7 +49,6 @@ impl ExactRun {
             motion: a.motion,
         };
         let station = |&sweep: &f64| Station {
-            sweep,
             coordinates: run.at.iter().map(|c| c.poly().map(|p| value(p, sweep))).collect(),
             balls: [ball(&run.workpiece_ball, sweep), ball(&run.tool_ball, sweep)],
         };
@@ -71,11 +69,6 @@ impl ExactRun {
                 position(&self.sides[1], tool, t, self.setups[1], errors),
             ]
         })
-    }
-
-    /// The sweep at every sample, rad.
-    pub fn sweeps(&self) -> impl Iterator<Item = f64> {
-        self.stations.iter().map(|s| s.sweep)
     }
 
     /// Nominal coordinate of an axis (in the order of [`Model::axes`]) at every sample; `None` at rest.

@@ -5,7 +5,7 @@ mod displacement;
 mod exact;
 
 pub use bar::Length;
-pub use exact::exact_readings;
+pub use exact::ExactReading;
 
 use crate::algebra::{AlgebraError, Order, Poly};
 use crate::model::{Model, ReadingKind, Run};
