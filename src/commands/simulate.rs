@@ -39,7 +39,11 @@ pub fn write(
     radius_mm: f64,
     out: &Path,
 ) -> Result<(), Refused> {
-    std::fs::create_dir_all(out).map_err(|e| Refused::Directory(out.to_owned(), e.kind()))?;
+    std::fs::create_dir_all(out).map_err(|e| {
+        // What the operating system calls this, "already exists", leads nowhere.
+        let kind = if out.is_file() { std::io::ErrorKind::NotADirectory } else { e.kind() };
+        Refused::Directory(out.to_owned(), kind)
+    })?;
     for observation in &measured.observations {
         let run = &setup.model.runs[observation.run];
         let samples = observation.samples.iter().map(|s| (s.sweep, s.reading));

@@ -169,6 +169,7 @@ impl ProblemKind {
     /// What would have been right.
     pub fn help(&self) -> Option<String> {
         Some(match self {
+            Self::Toml(_) => "expected a model file: mend this line, or give a model's name".into(),
             Self::UnknownKey(_, known) | Self::OneOf(_, known) => format!("expected {}", list(known)),
             Self::UnknownAxis(axis) => format!("describe it under [axis.{axis}], with `rotary` or `linear`"),
             Self::NotAName(_) => "a letter first, then letters, digits and underscores".into(),
