@@ -2,11 +2,13 @@
 
 use super::Refused;
 use clap::Args;
+use std::io::IsTerminal;
 use std::path::Path;
 use trunnion::data::Radius;
 use trunnion::study::Setup;
 use trunnion_codegen::catalogue;
-use trunnion_codegen::model::{Model, Problem, ReadingKind, read};
+use trunnion_codegen::model::{Model, ReadingKind};
+use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
 /// Reads a model by its catalogue name or from a file.
 pub fn load(name: &str) -> Result<Model, Refused> {
@@ -24,17 +26,9 @@ pub fn load(name: &str) -> Result<Model, Refused> {
             (path.display().to_string(), source)
         }
     };
-    read(&source).map_err(|problems| Refused::Model(listed(&place, &source, &problems)))
-}
-
-/// All problems of a model file, a line each.
-fn listed(place: &str, source: &str, problems: &[Problem]) -> String {
-    let one = |p: &Problem| {
-        let line = source.get(..p.span.start).map_or(1, |before| before.matches('\n').count() + 1);
-        let help = p.kind.help().map(|h| format!("\n  {h}")).unwrap_or_default();
-        format!("{place}:{line}: {}{help}", p.kind)
-    };
-    problems.iter().map(one).collect::<Vec<_>>().join("\n")
+    let colour = if std::io::stderr().is_terminal() { Colour::On } else { Colour::Off };
+    let derived = read_and_derive(&source);
+    Ok(derived.map_err(|problems| Refused::Model(render(&place, &source, &problems, colour)))?.0)
 }
 
 /// A model and the lengths of its set-up.
@@ -79,7 +73,7 @@ impl ModelArguments {
     }
 }
 
-/// The constant that is the length of a run's bar.
+/// The constant that is a run's bar.
 fn bar(model: &Model, reading: &ReadingKind) -> Option<String> {
     match reading {
         ReadingKind::BarLength(id) => Some(model.alphabet.nominal_name(*id)),
