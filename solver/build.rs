@@ -1,5 +1,6 @@
 //! Derives the catalogue's paper model and writes its regressors as Rust.
 
+use quote::quote;
 use std::{env, error::Error, fs, path::Path};
 use trunnion_codegen::{catalogue, emit, identify};
 
@@ -10,7 +11,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let name = "tilting-table-a";
     let model = catalogue::model(name).ok_or("not in the catalogue")?.map_err(|p| format!("{name}: {p:?}"))?;
     let derivation = identify::derive(&model).map_err(|e| format!("{name}: {e:?}"))?;
-    let source = emit::model::rust_source(&model, &derivation)?;
+    // `trig` stands in for `num_traits`: a sine of `f32` that takes no `f64`.
+    let items = emit::model::rust_items(&model, &derivation, &quote!(crate::trig))?;
+    let source = emit::header("//", &model.name) + &emit::rust::pretty(items);
     let out = env::var_os("OUT_DIR").ok_or("no OUT_DIR")?;
     fs::write(Path::new(&out).join("tilting_table_a.rs"), source)?;
     exechon::write(Path::new(&out))?;

@@ -208,7 +208,14 @@ fn every_printed_equation_beside_the_derived_one() {
             printer.combination(of(name).definition.iter().map(|(j, f)| (f, derivation.parameters[*j].name.clone())));
         section(name, text, &combination, &verdict);
     }
-    assert_eq!(out.lines().filter(|l| l.starts_with("  MISPRINT")).map(|l| l.split(':').next()).count(), 7);
+    let misprinted = out
+        .split(
+            "
+(",
+        )
+        .filter(|section| section.contains("  MISPRINT"))
+        .count();
+    assert_eq!(misprinted, 5);
     insta::with_settings!({ snapshot_path => "../snapshots", prepend_module_to_snapshot => false }, {
         insta::assert_snapshot!("paper-tilting-table", out);
     });
@@ -219,8 +226,6 @@ fn the_derivation_in_every_form() {
     let (model, derivation) = paper();
     assert_eq!(derivation.rank(), 11);
     insta::with_settings!({ snapshot_path => "../snapshots", prepend_module_to_snapshot => false, omit_expression => true }, {
-        insta::assert_snapshot!("tilting-table-a.text", equations::text(&model, &derivation));
-        insta::assert_snapshot!("tilting-table-a.latex", equations::latex(&model, &derivation));
         insta::assert_snapshot!("tilting-table-a.rust", rust_source(&model, &derivation).unwrap());
         insta::assert_snapshot!("tilting-table-a.json", format!("{:#}", equations::json(&model, &derivation)));
     });

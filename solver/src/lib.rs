@@ -6,5 +6,6 @@ pub mod exechon;
 pub mod lstsq;
 pub mod probe;
 pub mod tilting;
+pub mod trig;
 
 pub use lstsq::Real;

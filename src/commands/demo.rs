@@ -35,7 +35,7 @@ impl Demo {
         let model = load(MODEL)?;
         let setup = Setup::new(model.clone(), &[("R", RADIUS)]).map_err(|e| Refused::setup(&model, &e))?;
         let simulation = Simulation {
-            seed: 7,
+            seed: 1,
             samples: 360,
             noise_um: 0.1,
             length_um: 30.0,
@@ -65,7 +65,7 @@ impl Demo {
         );
         out +=
             &monte_carlo::text(TRIALS, &studies(&setup, &simulation, TRIALS, &[Estimator::TwoStep, Estimator::Joint])?);
-        simulate::write(&setup, &simulation, &measured, &self.out)?;
+        simulate::write(&setup, &simulation, &measured, RADIUS, &self.out)?;
         figures(&setup, &measured, &reports, &self.out)?;
         let _ = write!(
             out,

@@ -291,7 +291,7 @@ pub enum FieldProblem {
         text: String,
     },
     /// An angle that was there already.
-    #[error("the angle {} is already on line {first}\n  expected each angle once in a file: give a repeated sweep as a run of its own", Degrees(*.angle_rad))]
+    #[error("the angle {} is already on line {first}\n  expected each angle once in a file: give the mean of repeated readings, or remove one of the lines", Degrees(*.angle_rad))]
     RepeatedAngle {
         /// The angle, rad.
         angle_rad: f64,

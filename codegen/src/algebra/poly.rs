@@ -70,7 +70,7 @@ impl Poly {
     /// Sorts, adds equal monomials up and drops zeros.
     pub fn from_terms(mut terms: Vec<Term>) -> Result<Self, AlgebraError> {
         if !terms.is_sorted_by(|a, b| a.0 < b.0) {
-            terms.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+            terms.sort_unstable_by_key(|t| t.0);
             let mut kept = 0;
             for i in 1..terms.len() {
                 if terms[kept].0 == terms[i].0 {
@@ -231,7 +231,7 @@ impl Poly {
         rest: impl Fn(&Monomial) -> Monomial,
     ) -> Vec<(Monomial, Poly)> {
         let mut terms: Vec<(Monomial, Term)> = self.terms.iter().map(|(m, c)| (key(m), (rest(m), *c))).collect();
-        terms.sort_unstable_by(|a, b| (a.0, a.1.0).cmp(&(b.0, b.1.0)));
+        terms.sort_unstable_by_key(|t| (t.0, t.1.0));
         let mut groups: Vec<(Monomial, Poly)> = Vec::new();
         for (k, term) in terms {
             match groups.last_mut() {

@@ -1,5 +1,6 @@
 //! The scalar: `f32` or `f64`, with or without the standard library.
 
+use crate::trig;
 use core::fmt::{Debug, Display};
 use num_traits::{Float, NumAssign};
 
@@ -10,10 +11,13 @@ pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
 
     /// The value nearest to a count of samples.
     fn of_count(n: u32) -> Self;
+
+    /// Sine and cosine of an angle in rad, calculated in this type alone.
+    fn sine_cosine(self) -> (Self, Self);
 }
 
 macro_rules! real {
-    ($($t:ty)*) => {$(
+    ($($t:ty, $sine_cosine:path;)*) => {$(
         impl Real for $t {
             #[inline]
             fn of(x: f64) -> Self {
@@ -24,7 +28,15 @@ macro_rules! real {
             fn of_count(n: u32) -> Self {
                 n as $t
             }
+
+            #[inline]
+            fn sine_cosine(self) -> (Self, Self) {
+                $sine_cosine(self)
+            }
         }
     )*};
 }
-real!(f32 f64);
+real! {
+    f32, trig::sin_cos;
+    f64, Float::sin_cos;
+}

@@ -24,19 +24,24 @@ impl<T: Real + FloatConst, const P: usize> Estimate<T, P>
 where
     f64: AsPrimitive<T>,
 {
-    /// ε_xa at the angle `a` and its standard deviation, rad.
-    pub fn eps_xa(&self, a: T) -> (T, T) {
+    /// The bar's nominal length, mm.
+    pub fn radius(&self) -> T {
+        self.radius
+    }
+
+    /// ε_xa at the angle `a` and its standard deviation, rad; `None` if they are not finite, as at an angle that is not.
+    pub fn eps_xa(&self, a: T) -> Option<(T, T)> {
         let basis = regressors::e_xa(self.radius, a);
         let mut g = SVector::<T, P>::zeros();
         for (g, b) in g.iter_mut().zip(basis) {
             *g = b;
         }
-        let zero = T::zero();
-        (self.solution.value_of(&g).unwrap_or(zero), self.solution.variance_of(&g).unwrap_or(zero).sqrt())
+        Some((self.solution.value_of(&g)?, self.solution.variance_of(&g)?.sqrt()))
     }
 
-    /// Half width of the 95 % band of ε_xa at the angle `a`, rad.
-    pub fn band(&self, a: T) -> T {
-        student_t_95::<T>(self.solution.degrees_of_freedom) * self.eps_xa(a).1
+    /// Half width of the 95 % band of ε_xa at the angle `a`, rad; `None` if it is not finite.
+    pub fn band(&self, a: T) -> Option<T> {
+        let band = student_t_95::<T>(self.solution.degrees_of_freedom) * self.eps_xa(a)?.1;
+        Some(band).filter(|band| band.is_finite())
     }
 }

@@ -28,6 +28,11 @@ where
         Ok(Self { radius: checked(radius)?, factor: Factor::new() })
     }
 
+    /// The bar's nominal length, mm.
+    pub fn radius(&self) -> T {
+        self.radius
+    }
+
     /// Takes a sample of run 1 at the angle `a`: the radial deviation ΔR₁ and the known δ_ya and δ_za there, mm.
     ///
     /// # Errors

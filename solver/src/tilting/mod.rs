@@ -13,7 +13,7 @@
 //!     fit.push_separation(a, 0.001 * a.cos()).unwrap();
 //! }
 //! let estimate = fit.solve().unwrap();
-//! let (eps_xa, std) = estimate.eps_xa(1.0);
+//! let (eps_xa, std) = estimate.eps_xa(1.0).unwrap();
 //! assert!(eps_xa.abs() < 1e-12 && std < 1e-9);
 //! # Ok::<(), ImpossibleRadius>(())
 //! ```

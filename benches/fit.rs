@@ -1,0 +1,65 @@
+//! Cost of a fit: a generated row, a push, the paper's two runs, a Monte Carlo trial.
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use std::f64::consts::TAU;
+use std::hint::black_box;
+use trunnion::study::{self, Estimator, Limits, Plan, Setup};
+use trunnion_codegen::catalogue;
+use trunnion_solver::tilting::{Joint, TwoStep, regressors};
+
+const SAMPLES: usize = 360;
+
+fn fit(c: &mut Criterion) {
+    let sweeps = study::grid(SAMPLES, (0.0, TAU));
+    let reading = |a: f64| 0.02 * (3.0 * a).sin();
+    let mut group = c.benchmark_group("solver");
+    group.bench_function("generated row, run 1", |b| b.iter(|| regressors::tilting(black_box(150.0), black_box(1.1))));
+    group.bench_function("generated row, run 2", |b| {
+        b.iter(|| regressors::separation(black_box(150.0), black_box(1.1)))
+    });
+    let mut joint = Joint::new(150.0).expect("a radius");
+    let mut angle = 0.0;
+    group.bench_function("row and push, joint", |b| {
+        b.iter(|| {
+            angle += 0.01;
+            joint.push_tilting(black_box(angle), 0.001, [0.0, 0.0])
+        });
+    });
+    group.throughput(Throughput::Elements(2 * SAMPLES as u64));
+    group.bench_function("both runs, joint", |b| {
+        b.iter(|| {
+            let mut joint = Joint::new(150.0).expect("a radius");
+            for &a in &sweeps {
+                let _ = joint.push_tilting(a, reading(a), [0.0, 0.0]);
+                let _ = joint.push_separation(a, reading(a));
+            }
+            joint.solve()
+        });
+    });
+    group.bench_function("both runs, two-step", |b| {
+        b.iter(|| {
+            let mut two = TwoStep::new(150.0).expect("a radius");
+            for &a in &sweeps {
+                let _ = two.push_tilting(a, reading(a), [0.0, 0.0]);
+                let _ = two.push_separation(a, reading(a));
+            }
+            two.solve()
+        });
+    });
+    group.finish();
+}
+
+fn monte_carlo(c: &mut Criterion) {
+    let model = catalogue::model("tilting-table-a").expect("in the catalogue").expect("a model");
+    let setup = Setup::new(model, &[("R", 150.0)]).expect("a set-up");
+    let function = setup.estimated().next().expect("an estimated function");
+    let plan = Plan { trials: 16, samples: SAMPLES, range: (0.0, TAU), limits: Limits::PAPER, noise: 1e-4, seed: 1 };
+    let mut group = c.benchmark_group("study");
+    group.throughput(Throughput::Elements(plan.trials)).sample_size(20);
+    let run = |()| study::monte_carlo(&setup, plan, Estimator::Joint, function, &|| {});
+    group.bench_function("Monte Carlo trials", |b| b.iter_batched(|| (), run, BatchSize::PerIteration));
+    group.finish();
+}
+
+criterion_group!(benches, fit, monte_carlo);
+criterion_main!(benches);
