@@ -9,7 +9,10 @@ fn number(value: &Value) -> f64 {
     value.as_str().unwrap().parse().unwrap()
 }
 
-fn sets() -> Vec<(String, Vec<[f64; 2]>, [f64; 2], f64)> {
+/// Name, points, centre and diameter.
+type Set = (String, Vec<[f64; 2]>, [f64; 2], f64);
+
+fn sets() -> Vec<Set> {
     let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/circle");
     let files = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
     let sets = files.map(|file| {
