@@ -77,8 +77,9 @@ fn what_has_no_circle() {
 /// Points near a circle, all along an arc that need not be whole.
 fn ring() -> impl Strategy<Value = Vec<[f64; 2]>> {
     let points = prop::collection::vec((0.0..1.0, -1.0..1.0), 5..60);
-    let sizes = (90.0..360.0, -900.0..900.0, 1.0..200.0, 1e-6..1e-3);
-    (points, sizes).prop_map(|(points, (arc, at, radius, form)): (Vec<(f64, f64)>, (f64, f64, f64, f64))| {
+    let sizes = [90.0..360.0, -900.0..900.0, 1.0..200.0, 1e-6..1e-3];
+    (points, sizes).prop_map(|(points, sizes): (Vec<(f64, f64)>, [f64; 4])| {
+        let [arc, at, radius, form] = sizes;
         let n = points.len() as f64;
         let place = |(k, (jitter, deviation)): (usize, &(f64, f64))| {
             let (angle, r) = (((k as f64 + jitter) / n * arc).to_radians(), radius * (1.0 + form * deviation));

@@ -68,6 +68,27 @@ fn beyond_a_limit_says_which_and_by_how_much() {
 }
 
 #[test]
+fn each_limit_is_held() {
+    let machine = machine();
+    let within = Joints { struts: [1300.0, 1310.0, 1320.0], a: -0.7, c: 0.2 };
+    assert!(machine.forward(&within, &machine.home().start()).is_ok());
+    type Change = fn(&mut Joints<f64>) -> &mut f64;
+    let all: [(Change, Limit, f64, f64); 5] = [
+        (|j| &mut j.struts[0], Limit::Strut1, 900.0, 950.0),
+        (|j| &mut j.struts[1], Limit::Strut2, 1700.0, 1650.0),
+        (|j| &mut j.struts[2], Limit::Strut3, 900.0, 950.0),
+        (|j| &mut j.a, Limit::A, -2.0, -90f64.to_radians()),
+        (|j| &mut j.c, Limit::C, 5.0, 270f64.to_radians()),
+    ];
+    for (change, limit, value, bound) in all {
+        let mut joints = within;
+        *change(&mut joints) = value;
+        let error = machine.forward(&joints, &machine.home().start()).unwrap_err();
+        assert_eq!(error, KinematicsError::OutOfRange { limit, value, bound });
+    }
+}
+
+#[test]
 fn far_outside_there_is_no_solution_in_front_of_the_base() {
     for point in [[0.0, 0.0, -9e3], [0.0, 0.0, -3e3], [5e3, 0.0, 0.0], [0.0, -1e6, 0.0], [1e300, 0.0, 0.0]] {
         let error = inverse(&machine(), point).unwrap_err();
