@@ -32,7 +32,7 @@ pub enum Refused {
     NoSuchModel(String, String),
     #[error("{file}: {problem}\n  expected a model file or one of {names}", file = .0.display(), problem = .1, names = .2)]
     Unreadable(PathBuf, io::ErrorKind, String),
-    #[error("{0}")]
+    #[error("this model cannot be used\n{0}")]
     Model(String),
     #[error("{0}")]
     Setup(String),

@@ -31,8 +31,8 @@ fn rendering_survives_any_place() {
     for start in 0..source.len() + 3 {
         for end in 0..source.len() + 3 {
             let problem = Problem { span: start..end, kind: ProblemKind::NoRuns };
-            assert!(render("m.toml", source, std::slice::from_ref(&problem), Colour::Off).contains("no run"));
-            assert!(render("m.toml", "", std::slice::from_ref(&problem), Colour::On).contains("no run"));
+            assert!(render("m.toml", source, core::slice::from_ref(&problem), Colour::Off).contains("no run"));
+            assert!(render("m.toml", "", &[problem], Colour::On).contains("no run"));
         }
     }
 }
