@@ -25,6 +25,9 @@ enum Command {
     Fit(commands::fit::Fit),
     /// Distribution of the largest error of an estimated function over many drawn machines.
     MonteCarlo(commands::monte_carlo::MonteCarlo),
+    /// The parallel machine: kinematics, dependent rotation, probe offset, ring test.
+    #[command(subcommand)]
+    Exechon(commands::exechon::Exechon),
 }
 
 fn main() -> ExitCode {
@@ -34,6 +37,7 @@ fn main() -> ExitCode {
         Command::Simulate(c) => c.run(),
         Command::Fit(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),
+        Command::Exechon(c) => c.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

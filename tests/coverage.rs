@@ -4,11 +4,10 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use trunnion::study::{
-    Estimator, Limits, Observation, Plan, Sample, Setup, Spread, draw, fit, grid, monte_carlo, readings,
-};
+use trunnion::study::{Estimator, Limits, Observation, Plan, Sample, Setup, Spread, draw, fit, grid, monte_carlo};
 use trunnion_codegen::catalogue;
-use trunnion_codegen::kinematics::{ErrorValues, ExactRun};
+use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::measurement::ExactReading;
 use trunnion_solver::lstsq::student_t_95;
 
 const ESTIMATORS: [Estimator; 2] = [Estimator::Joint, Estimator::TwoStep];
@@ -29,14 +28,14 @@ fn the_band_covers_the_truth_in_95_of_100_machines() {
     let function = setup.estimated().next().unwrap();
     let error = setup.model.functions[function].error;
     let sweeps = grid(90, (0.0, TAU));
-    let exact: Vec<ExactRun> = (0..2).map(|run| setup.exact_run(run, &sweeps)).collect();
+    let exact: Vec<ExactReading> = (0..2).map(|run| setup.exact(run, &sweeps)).collect();
     let covered = |n: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(2024);
         random.set_stream(n);
         let machine = draw(&setup, &exact, limits, &mut random);
         let mut observe = |run: usize| {
             let known = setup.true_known(run, &exact[run], &machine);
-            let clean = readings(&setup, run, &exact[run], &machine);
+            let clean = exact[run].values(&machine);
             let sample = |(i, (&sweep, clean)): (usize, (&f64, f64))| Sample {
                 sweep,
                 reading: clean + random.random_range(-1.0..=1.0) * NOISE,

@@ -2,6 +2,7 @@
 
 pub mod algebra;
 pub mod basis;
+pub mod build;
 pub mod catalogue;
 pub mod emit;
 pub mod exechon;
@@ -10,3 +11,4 @@ pub mod identify;
 pub mod kinematics;
 pub mod measurement;
 pub mod model;
+pub mod problems;

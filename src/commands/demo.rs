@@ -65,7 +65,7 @@ impl Demo {
         );
         out +=
             &monte_carlo::text(TRIALS, &studies(&setup, &simulation, TRIALS, &[Estimator::TwoStep, Estimator::Joint])?);
-        simulate::write(&setup, &simulation, &measured, &self.out)?;
+        simulate::write(&setup, &simulation, &measured, RADIUS, &self.out)?;
         figures(&setup, &measured, &reports, &self.out)?;
         let _ = write!(
             out,

@@ -23,7 +23,8 @@ pub struct Fit {
     /// How the runs are combined.
     #[arg(long, value_enum, default_value_t = Combine::Joint)]
     estimator: Combine,
-    /// Weight of a run's samples: one over the variance of its readings, up to a common factor.
+    /// Weight of a run's samples: one over the variance of its readings, up to a common factor (between runs fitted in one
+    /// step: the two steps of two-step do not weigh each other).
     #[arg(long = "weight", value_name = "NAME=W")]
     weights: Vec<String>,
     /// Print one JSON object.
@@ -73,10 +74,15 @@ impl Fit {
 
     /// The file of every run, in the model's order.
     fn files(&self, setup: &Setup) -> Result<Vec<PathBuf>, Refused> {
-        let names: Vec<&str> = setup.model.runs.iter().map(|r| r.name.as_str()).collect();
+        let names = run_names(setup);
         let mut files: Vec<Option<PathBuf>> = vec![None; names.len()];
         for given in &self.runs {
-            let not = || Refused::NotAPair { option: "run", given: given.clone(), example: "tilting=run1.csv" };
+            let not = || Refused::NotAPair {
+                option: "run",
+                pair: "NAME=FILE",
+                given: given.clone(),
+                example: "tilting=run1.csv",
+            };
             let (name, file) = given.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(not)?;
             let at = setup.run(name).ok_or_else(|| Refused::UnknownRun(name.to_owned(), names.join(", ")))?;
             if files[at].replace(PathBuf::from(file)).is_some() {
@@ -88,22 +94,26 @@ impl Fit {
         files.into_iter().zip(&names).map(missing).collect()
     }
 
-    fn weight(&self, run: &str) -> Result<f64, Refused> {
-        let mut weight = 1.0;
+    /// The weight of every run, in the model's order.
+    fn weights(&self, setup: &Setup) -> Result<Vec<f64>, Refused> {
+        let mut weights: Vec<Option<f64>> = vec![None; setup.model.runs.len()];
         for given in &self.weights {
-            match given.split_once('=').map(|(name, w)| (name, w.parse::<f64>())) {
-                Some((name, Ok(w))) if w.is_finite() && w > 0.0 => {
-                    if name == run {
-                        weight = w;
-                    }
+            let number = |(name, w): (&str, &str)| Some((setup.run(name), name.to_owned(), w.parse().ok()?));
+            let usable = |w: &f64| (1.0 / MOST_WEIGHT..=MOST_WEIGHT).contains(w);
+            match given.split_once('=').and_then(number).filter(|(.., w)| usable(w)) {
+                Some((Some(run), name, weight)) if weights[run].replace(weight).is_some() => {
+                    return Err(Refused::WeightTwice(name));
                 }
-                _ => return Err(Refused::Weight(given.clone())),
+                Some((Some(_), ..)) => {}
+                Some((None, name, _)) => return Err(Refused::UnknownRun(name, run_names(setup).join(", "))),
+                None => return Err(Refused::Weight(given.clone())),
             }
         }
-        Ok(weight)
+        Ok(weights.into_iter().map(|w| w.unwrap_or(1.0)).collect())
     }
 
     fn observations(&self, setup: &Setup, radius: Radius, files: &[PathBuf]) -> Result<Vec<Observation>, Refused> {
+        let weights = self.weights(setup)?;
         let table = self.table.as_deref().map(|file| known_table(setup, file)).transpose()?;
         let mut observations = Vec::new();
         for (run, file) in files.iter().enumerate() {
@@ -123,10 +133,17 @@ impl Fit {
             }
             let samples = sweep.samples().iter().zip(known);
             let samples = samples.map(|(s, known)| Sample { sweep: s.angle_rad, reading: s.reading_mm, known });
-            observations.push(Observation { run, weight: self.weight(&described.name)?, samples: samples.collect() });
+            observations.push(Observation { run, weight: weights[run], samples: samples.collect() });
         }
         Ok(observations)
     }
+}
+
+/// Weights beyond this, or below its inverse, leave one of the runs without a say in double precision.
+const MOST_WEIGHT: f64 = 1e9;
+
+fn run_names(setup: &Setup) -> Vec<&str> {
+    setup.model.runs.iter().map(|r| r.name.as_str()).collect()
 }
 
 /// The table of all known functions that the runs see, and their positions in the model.

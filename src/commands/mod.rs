@@ -2,6 +2,7 @@
 
 pub mod demo;
 pub mod derive;
+pub mod exechon;
 pub mod fit;
 pub mod monte_carlo;
 pub mod simulate;

@@ -2,11 +2,13 @@
 
 use super::Refused;
 use clap::Args;
+use std::io::IsTerminal;
 use std::path::Path;
 use trunnion::data::Radius;
 use trunnion::study::Setup;
 use trunnion_codegen::catalogue;
-use trunnion_codegen::model::{Model, Problem, ReadingKind, read};
+use trunnion_codegen::model::{Model, ReadingKind};
+use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
 /// Reads a model by its catalogue name or from a file.
 pub fn load(name: &str) -> Result<Model, Refused> {
@@ -14,27 +16,19 @@ pub fn load(name: &str) -> Result<Model, Refused> {
         Some(source) => (name.to_owned(), source.to_owned()),
         None => {
             let path = Path::new(name);
-            let source = std::fs::read_to_string(path).map_err(|e| match e.kind() {
-                std::io::ErrorKind::NotFound => {
-                    let names: Vec<&str> = catalogue::MODELS.iter().map(|(n, _)| *n).collect();
-                    Refused::NoSuchModel(name.to_owned(), names.join(", "))
+            let source = std::fs::read_to_string(path).map_err(|e| {
+                let names = catalogue::MODELS.iter().map(|(n, _)| *n).collect::<Vec<_>>().join(", ");
+                match e.kind() {
+                    std::io::ErrorKind::NotFound => Refused::NoSuchModel(name.to_owned(), names),
+                    kind => Refused::Unreadable(path.to_owned(), kind, names),
                 }
-                kind => Refused::Unreadable(path.to_owned(), kind),
             })?;
             (path.display().to_string(), source)
         }
     };
-    read(&source).map_err(|problems| Refused::Model(listed(&place, &source, &problems)))
-}
-
-/// All problems of a model file, a line each.
-fn listed(place: &str, source: &str, problems: &[Problem]) -> String {
-    let one = |p: &Problem| {
-        let line = source.get(..p.span.start).map_or(1, |before| before.matches('\n').count() + 1);
-        let help = p.kind.help().map(|h| format!("\n  {h}")).unwrap_or_default();
-        format!("{place}:{line}: {}{help}", p.kind)
-    };
-    problems.iter().map(one).collect::<Vec<_>>().join("\n")
+    let colour = if std::io::stderr().is_terminal() { Colour::On } else { Colour::Off };
+    let derived = read_and_derive(&source);
+    Ok(derived.map_err(|problems| Refused::Model(render(&place, &source, &problems, colour)))?.0)
 }
 
 /// A model and the lengths of its set-up.
@@ -43,7 +37,7 @@ pub struct ModelArguments {
     /// A name from the catalogue, or a model file.
     pub model: String,
     /// Nominal length of the ball-bar, mm.
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = millimetres)]
     pub radius: f64,
     /// Another length of the set-up, mm.
     #[arg(long = "set", value_name = "NAME=MM")]
@@ -55,16 +49,20 @@ impl ModelArguments {
     pub fn setup(&self) -> Result<(Setup, Radius), Refused> {
         let radius = Radius::new(self.radius)?;
         let model = load(&self.model)?;
+        let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(&model, &r.reading)).collect();
         let mut values: Vec<(&str, f64)> = Vec::new();
         for given in &self.lengths {
             let pair = given.split_once('=').and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
-            values.push(pair.ok_or_else(|| Refused::NotAPair {
-                option: "set",
-                given: given.clone(),
-                example: "H=80",
-            })?);
+            let not = || Refused::NotAPair { option: "set", pair: "NAME=MM", given: given.clone(), example: "H=80" };
+            let (name, mm) = pair.ok_or_else(not)?;
+            if bars.iter().any(|bar| bar == name) {
+                return Err(Refused::SetBar(given.clone()));
+            }
+            if values.iter().any(|(n, _)| *n == name) {
+                return Err(Refused::LengthTwice(given.clone()));
+            }
+            values.push((name, mm));
         }
-        let bars: Vec<String> = model.runs.iter().map(|r| bar(&model, r.reading)).collect();
         for name in &bars {
             if values.iter().all(|(n, _)| n != name) {
                 values.push((name, radius.mm()));
@@ -75,7 +73,14 @@ impl ModelArguments {
     }
 }
 
-fn bar(model: &Model, reading: ReadingKind) -> String {
-    let ReadingKind::BarLength(id) = reading;
-    model.alphabet.nominal_name(id)
+/// The constant that is a run's bar.
+fn bar(model: &Model, reading: &ReadingKind) -> Option<String> {
+    match reading {
+        ReadingKind::BarLength(id) => Some(model.alphabet.nominal_name(*id)),
+        ReadingKind::Displacement(_) => None,
+    }
+}
+
+fn millimetres(text: &str) -> Result<f64, &'static str> {
+    text.trim().parse().map_err(|_| "not a number\n  expected the nominal length of the bar in mm, e.g. 150")
 }

@@ -8,7 +8,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use trunnion::study::{Estimator, Plan, Setup, Spread, Trial, monte_carlo};
+use trunnion::study::{Estimator, Plan, Setup, Spread, Trial, WARN_CONDITION, Warning, fit, monte_carlo};
 
 /// Arguments of `monte-carlo`.
 #[derive(Debug, Args)]
@@ -42,6 +42,9 @@ impl MonteCarlo {
         self.simulation.check()?;
         let (setup, _) = self.model.setup()?;
         let estimators = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
+        for &estimator in &estimators {
+            warn(&setup, &self.simulation, estimator)?;
+        }
         let studies = studies(&setup, &self.simulation, self.trials, &estimators)?;
         let text = match self.json {
             true => format!(
@@ -52,6 +55,19 @@ impl MonteCarlo {
         };
         print(&text)
     }
+}
+
+/// Says on standard error where the range is too short for the numbers to mean much.
+fn warn(setup: &Setup, simulation: &Simulation, estimator: Estimator) -> Result<(), Refused> {
+    let name = |run: usize| setup.model.runs[run].name.clone();
+    let one = fit(setup, &simulation.measure(setup).observations, estimator);
+    let separation = one.map_err(|e| Refused::fit(setup, &name, &e))?.separation;
+    if separation.condition > WARN_CONDITION {
+        let names = separation.weakest.iter().map(|&b| setup.derivation.base[b].name.clone()).collect();
+        let warning = Warning::HardlySeparated { condition: separation.condition, names };
+        eprintln!("warning: {}: {warning}", estimate::name(estimator));
+    }
+    Ok(())
 }
 
 /// Runs every estimator on every estimated function, with a progress bar on standard error.

@@ -8,12 +8,14 @@ use trunnion::plot::PlotError;
 use trunnion::study::{FitError, LARGEST, Setup, SetupError};
 use trunnion_codegen::graph::Unbound;
 use trunnion_codegen::identify::DeriveError;
-use trunnion_codegen::measurement::{Length, ReadingError};
-use trunnion_codegen::model::Model;
+use trunnion_codegen::model::{Model, Problem};
+use trunnion_codegen::problems::of_derivation;
 
 /// Why a command was refused.
 #[derive(Debug, Error)]
 pub enum Refused {
+    #[error(transparent)]
+    Exechon(#[from] super::exechon::Failed),
     #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
@@ -24,27 +26,33 @@ pub enum Refused {
     Plot(#[from] PlotError),
     #[error("standard output: {0}")]
     Output(io::ErrorKind),
-    #[error("{file}: {problem}\n  expected a directory that can be written", file = .0.display(), problem = .1)]
+    #[error("{file}: {problem}\n  expected a directory that can be written, or a name for a new one", file = .0.display(), problem = .1)]
     Directory(PathBuf, io::ErrorKind),
     #[error("no model `{0}` in the catalogue and no such file\n  expected a model file or one of {1}")]
     NoSuchModel(String, String),
-    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
-    Unreadable(PathBuf, io::ErrorKind),
-    #[error("{0}")]
+    #[error("{file}: {problem}\n  expected a model file or one of {names}", file = .0.display(), problem = .1, names = .2)]
+    Unreadable(PathBuf, io::ErrorKind, String),
+    #[error("this model cannot be used\n{0}")]
     Model(String),
     #[error("{0}")]
     Setup(String),
-    #[error("--{option} {given}: not NAME=FILE\n  expected for example --{option} {example}")]
-    NotAPair { option: &'static str, given: String, example: &'static str },
+    #[error("--{option} {given}: not {pair}\n  expected for example --{option} {example}")]
+    NotAPair { option: &'static str, pair: &'static str, given: String, example: &'static str },
+    #[error("--set {0}: given twice\n  expected each length once")]
+    LengthTwice(String),
+    #[error("--set {0}: this is the length of the bar\n  expected it as --radius alone")]
+    SetBar(String),
     #[error("run `{0}` is given twice\n  expected each run of the model once")]
     RunTwice(String),
     #[error("the model has no run `{0}`\n  expected {1}")]
     UnknownRun(String, String),
     #[error("run `{0}` is not given\n  expected --run {0}=FILE.csv")]
     RunMissing(String),
-    #[error("--weight {0}: not a positive finite number")]
+    #[error("--weight {0}: not a run with a weight from 1e-9 to 1e9\n  expected for example --weight tilting=2")]
     Weight(String),
-    #[error("--{0} {1}: {2}")]
+    #[error("--weight: run `{0}` is given twice\n  expected a run's weight once")]
+    WeightTwice(String),
+    #[error("--{0} {1}: cannot be simulated\n  {2}")]
     Option(&'static str, String, &'static str),
     #[error("{0}")]
     Fit(String),
@@ -70,7 +78,9 @@ impl Refused {
             SetupError::NoValue(name) => {
                 format!("the constant {name} has no value\n  expected --radius or --set {name}=MM")
             }
-            SetupError::NotALength(name, value) => format!("{name} = {value} mm is not a positive finite length"),
+            SetupError::NotALength(name, value) => {
+                format!("{name} = {value} mm is not a length\n  expected a positive number of mm")
+            }
             SetupError::NotAConstant(name) => {
                 let constants: Vec<&str> = model.alphabet.constants().collect();
                 format!("the model has no constant `{name}`\n  expected {}", constants.join(", "))
@@ -103,47 +113,24 @@ impl Refused {
                 )
             }
             FitError::NotFinite => {
-                "a value is too large for the arithmetic\n  check the readings and their unit".to_owned()
+                "a value is too large for the arithmetic\n  check the readings, the table and their units".to_owned()
             }
             FitError::NoFirstStep => {
                 "two-step needs a run that does not see an estimated function\n  use --estimator joint".to_owned()
             }
             FitError::TooManyCoefficients(n) => {
-                format!("{n} coefficients where at most {LARGEST} can be fitted together")
+                format!(
+                    "{n} coefficients where at most {LARGEST} can be fitted together\n  use --estimator two-step or simpler functions"
+                )
             }
         })
     }
 }
 
 fn derive(model: &Model, e: &DeriveError) -> String {
-    let run = |i: &usize| model.runs[*i].name.as_str();
-    let printer = trunnion_codegen::emit::equations::Printer {
-        alphabet: &model.alphabet,
-        style: trunnion_codegen::emit::equations::Style::Plain,
+    let told = |p: &Problem| match p.kind.help() {
+        Some(help) => format!("{}\n  {help}", p.kind),
+        None => p.kind.to_string(),
     };
-    match e {
-        DeriveError::Reading(i, ReadingError::NotTheBar(length)) => {
-            let length = match length {
-                Length::Exactly(p) => printer.poly(p),
-                Length::RootOf(p) => format!("sqrt({})", printer.poly(p)),
-            };
-            format!(
-                "run {}: the balls are {length} apart, not the bar's length\n  mend the path or the balls so that the nominal distance is constant",
-                run(i)
-            )
-        }
-        DeriveError::Reading(i, ReadingError::Algebra(e)) => format!("run {}: {e}", run(i)),
-        DeriveError::NoBasis(missing) => {
-            let name = |(i, e): &(usize, trunnion_codegen::algebra::ErrorId)| {
-                format!("{} (run {})", model.alphabet.error_name(*e), run(i))
-            };
-            let names: Vec<String> = missing.iter().map(name).collect();
-            format!(
-                "nothing is assumed of {}\n  give each a basis, \"known\" or \"zero\" under [function]",
-                names.join(", ")
-            )
-        }
-        DeriveError::UnknownParameter(name) => format!("`{name}` in `order` is no parameter of these runs"),
-        DeriveError::Algebra(e) => e.to_string(),
-    }
+    of_derivation(model, e).iter().map(told).collect::<Vec<_>>().join("\n")
 }

@@ -26,14 +26,24 @@ impl Simulate {
     /// Draws, measures, writes.
     pub fn run(self) -> Result<(), Refused> {
         self.simulation.check()?;
-        let (setup, _) = self.model.setup()?;
-        write(&setup, &self.simulation, &self.simulation.measure(&setup), &self.out)
+        let (setup, radius) = self.model.setup()?;
+        write(&setup, &self.simulation, &self.simulation.measure(&setup), radius.mm(), &self.out)
     }
 }
 
 /// Writes the files of a simulation: `RUN.csv`, `table.csv`, `truth.json`.
-pub fn write(setup: &Setup, simulation: &Simulation, measured: &Measured, out: &Path) -> Result<(), Refused> {
-    std::fs::create_dir_all(out).map_err(|e| Refused::Directory(out.to_owned(), e.kind()))?;
+pub fn write(
+    setup: &Setup,
+    simulation: &Simulation,
+    measured: &Measured,
+    radius_mm: f64,
+    out: &Path,
+) -> Result<(), Refused> {
+    std::fs::create_dir_all(out).map_err(|e| {
+        // What the operating system calls this, "already exists", leads nowhere.
+        let kind = if out.is_file() { std::io::ErrorKind::NotADirectory } else { e.kind() };
+        Refused::Directory(out.to_owned(), kind)
+    })?;
     for observation in &measured.observations {
         let run = &setup.model.runs[observation.run];
         let samples = observation.samples.iter().map(|s| (s.sweep, s.reading));
@@ -41,7 +51,7 @@ pub fn write(setup: &Setup, simulation: &Simulation, measured: &Measured, out: &
         sweep.write(setup.model.alphabet.sweep_name(run.sweep), Unit::Deg, Unit::Um)?;
     }
     table(setup, measured, out)?;
-    truth(setup, simulation, measured).write(&out.join("truth.json"))?;
+    truth(setup, simulation, measured, radius_mm).write(&out.join("truth.json"))?;
     Ok(())
 }
 
@@ -63,7 +73,7 @@ fn dimension(setup: &Setup, function: usize) -> Dimension {
     if setup.component(function).is_some_and(|c| c.is_rotation()) { Dimension::Angle } else { Dimension::Length }
 }
 
-fn truth(setup: &Setup, simulation: &Simulation, measured: &Measured) -> Truth {
+fn truth(setup: &Setup, simulation: &Simulation, measured: &Measured, radius_mm: f64) -> Truth {
     let (first, last) = ((simulation.from_deg / 5.0).ceil() as i64, (simulation.to_deg / 5.0).floor() as i64);
     let function = |f: usize| {
         let error = setup.model.functions[f].error;
@@ -78,7 +88,7 @@ fn truth(setup: &Setup, simulation: &Simulation, measured: &Measured) -> Truth {
     let names = setup.derivation.base.iter().map(|b| b.name.clone());
     Truth {
         seed: simulation.seed,
-        radius_mm: setup.radius(0),
+        radius_mm,
         samples: simulation.samples,
         noise_um: simulation.noise_um,
         range_deg: (simulation.from_deg, simulation.to_deg),

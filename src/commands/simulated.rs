@@ -4,8 +4,8 @@ use super::Refused;
 use clap::Args;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use trunnion::study::{Limits, Machine, Observation, Sample, Setup, draw, grid, readings};
-use trunnion_codegen::kinematics::ExactRun;
+use trunnion::study::{Limits, Machine, Observation, Sample, Setup, draw, grid};
+use trunnion_codegen::measurement::ExactReading;
 
 /// What is simulated.
 #[derive(Clone, Copy, Debug, Args)]
@@ -74,11 +74,11 @@ impl Simulation {
     pub fn measure(&self, setup: &Setup) -> Measured {
         let sweeps: Vec<f64> =
             grid(self.samples, (self.from_deg, self.to_deg)).into_iter().map(f64::to_radians).collect();
-        let exact: Vec<ExactRun> = (0..setup.model.runs.len()).map(|r| setup.exact_run(r, &sweeps)).collect();
+        let exact: Vec<ExactReading> = (0..setup.model.runs.len()).map(|r| setup.exact(r, &sweeps)).collect();
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let machine = draw(setup, &exact, self.limits(), &mut random);
         let mut observe = |run: usize| {
-            let clean = readings(setup, run, &exact[run], &machine);
+            let clean = exact[run].values(&machine);
             let known = setup.true_known(run, &exact[run], &machine);
             let sample = |(i, (&sweep, clean)): (usize, (&f64, f64))| Sample {
                 sweep,

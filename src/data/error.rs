@@ -291,12 +291,20 @@ pub enum FieldProblem {
         text: String,
     },
     /// An angle that was there already.
-    #[error("the angle {} is already on line {first}\n  expected each angle once in a file: give a repeated sweep as a run of its own", Degrees(*.angle_rad))]
+    #[error("the angle {} is already on line {first}\n  expected each angle once in a file: give the mean of repeated readings, or remove one of the lines", Degrees(*.angle_rad))]
     RepeatedAngle {
         /// The angle, rad.
         angle_rad: f64,
         /// Where it stands first.
         first: u64,
+    },
+    /// A single reading that no ball-bar gives.
+    #[error(
+        "a reading of {reading_mm} mm is beyond the stroke of a ball-bar, about ±1 mm\n  remove the line if it is a slip of the file or of the measurement"
+    )]
+    BeyondStroke {
+        /// The reading, mm.
+        reading_mm: f64,
     },
     /// A table's node with two different values.
     #[error("the angle {} has another value of {function} on line {first}\n  expected one value for an angle: remove one of the lines", Degrees(*.angle_rad))]

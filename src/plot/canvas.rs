@@ -41,6 +41,10 @@ impl Ink {
         Self { rgb: tone.rgb(), alpha: 0.25, width: 0.0 }
     }
 
+    pub(crate) const fn fill(rgb: (u8, u8, u8)) -> Self {
+        Self { rgb, alpha: 1.0, width: 0.0 }
+    }
+
     fn style(self, filled: bool) -> ShapeStyle {
         let color: RGBAColor = RGBColor(self.rgb.0, self.rgb.1, self.rgb.2).mix(self.alpha);
         ShapeStyle { color, filled, stroke_width: (self.width * FINE) as u32 }

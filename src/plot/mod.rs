@@ -1,4 +1,5 @@
-//! Pictures as SVG text: line charts of one or more stacked panels, and the polar picture usual for ball-bar tests.
+//! Pictures as SVG text: line charts of one or more stacked panels, the polar picture usual for ball-bar tests, maps of a
+//! value over a plane, and sketches to scale.
 //!
 //! The same values give the same text, byte for byte. Numbers are in the units of the axes' labels (degrees, µm, µrad):
 //! converting is the caller's. In titles, labels and names `_{xa}` is a subscript. Colours are told apart by readers who
@@ -6,10 +7,14 @@
 
 mod canvas;
 mod line;
+mod map;
 mod polar;
 mod series;
+mod sketch;
 mod ticks;
 
 pub use line::{Chart, Panel};
+pub use map::HeatMap;
 pub use polar::PolarChart;
 pub use series::{Axis, PlotError, Series, Shape, Tone};
+pub use sketch::{Label, Sketch};

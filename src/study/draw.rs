@@ -11,7 +11,8 @@ use rand::{Rng, RngExt};
 use trunnion_codegen::algebra::{ErrorId, Quantity};
 use trunnion_codegen::basis::{Basis, Univariate};
 use trunnion_codegen::identify::{Origin, Parameter};
-use trunnion_codegen::kinematics::{ErrorValues, ExactRun};
+use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::measurement::ExactReading;
 use trunnion_codegen::model::AxisKind;
 
 /// Largest errors.
@@ -109,12 +110,12 @@ impl Machine {
 }
 
 /// Draws a machine. `runs` are the runs to be simulated: they say over which coordinates a function is scaled.
-pub fn draw(setup: &Setup, runs: &[ExactRun], limits: Limits, random: &mut impl Rng) -> Machine {
+pub fn draw(setup: &Setup, runs: &[ExactReading], limits: Limits, random: &mut impl Rng) -> Machine {
     let model = &setup.model;
     let shape = |(id, _, quantity): (ErrorId, &str, Quantity)| {
         let limit = limits.of(quantity);
         let Some((axis, _)) = model.axis_of(id) else { return (Shape::Constant(uniform(random) * limit), Vec::new()) };
-        let coordinates: Vec<f64> = runs.iter().flat_map(|r| r.coordinates(axis)).flatten().collect();
+        let coordinates: Vec<f64> = runs.iter().flat_map(|r| r.run().coordinates(axis)).flatten().collect();
         let kind = model.axes().nth(axis).map_or(AxisKind::Linear, |a| a.kind);
         let parts = parts(setup, id, kind);
         let largest = |s: &Shape| coordinates.iter().map(|&x| s.at(x).abs()).fold(0.0, f64::max);

@@ -18,4 +18,4 @@ pub use monte_carlo::{Plan, Spread, Trial, monte_carlo};
 pub use neglected::{Neglected, neglected};
 pub use report::{Coefficient, Curve, Point, Report, WARN_CONDITION, Warning, report};
 pub use setup::{Setup, SetupError};
-pub use simulate::{grid, readings};
+pub use simulate::grid;

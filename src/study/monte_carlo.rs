@@ -3,11 +3,12 @@
 use super::draw::{Limits, draw};
 use super::fit::{Estimator, FitError, Observation, Sample, fit};
 use super::setup::Setup;
-use super::simulate::{grid, readings};
+use super::simulate::grid;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use trunnion_codegen::kinematics::{ErrorValues, ExactRun};
+use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::measurement::ExactReading;
 
 /// What is drawn, and how often.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +86,7 @@ pub fn monte_carlo(
 ) -> Result<Vec<Trial>, FitError> {
     let sweeps = grid(plan.samples, plan.range);
     let runs: Vec<usize> = (0..setup.model.runs.len()).collect();
-    let exact: Vec<ExactRun> = runs.iter().map(|&r| setup.exact_run(r, &sweeps)).collect();
+    let exact: Vec<ExactReading> = runs.iter().map(|&r| setup.exact(r, &sweeps)).collect();
     // The estimate is linear in the readings: its matrix is worked out once, on readings of zero.
     let zero = |&run: &usize| {
         let known = vec![0.0; setup.derivation.runs[run].known.len()];
@@ -122,7 +123,7 @@ pub fn monte_carlo(
         let clean: Vec<Vec<f64>> = runs
             .iter()
             .map(|&run| {
-                let mut y = readings(setup, run, &exact[run], &machine);
+                let mut y: Vec<f64> = exact[run].values(&machine).collect();
                 for ((y, known), factors) in
                     y.iter_mut().zip(setup.true_known(run, &exact[run], &machine)).zip(&factors[run])
                 {

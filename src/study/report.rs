@@ -209,7 +209,7 @@ fn curve(
 
 fn coordinates(setup: &Setup, observation: &Observation, axis: usize) -> Vec<f64> {
     let sweeps: Vec<f64> = observation.samples.iter().map(|s| s.sweep).collect();
-    setup.exact_run(observation.run, &sweeps).coordinates(axis).flatten().collect()
+    setup.exact(observation.run, &sweeps).run().coordinates(axis).flatten().collect()
 }
 
 /// What leaving out the table costs: for each known function the largest error that one unit of it, of the worst shape, can

@@ -4,7 +4,7 @@ use trunnion_codegen::algebra::{Fraction, Poly};
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
 use trunnion_codegen::identify::{BaseParameter, Derivation, DeriveError, derive};
-use trunnion_codegen::model::{self, Component, Model, ReadingKind};
+use trunnion_codegen::model::{self, Component, Model};
 
 /// A model, its derivation, and the lengths of the set-up in mm.
 #[derive(Clone, Debug)]
@@ -63,12 +63,6 @@ impl Setup {
     /// Value of a constant, mm.
     pub fn constant(&self, name: &str) -> f64 {
         self.model.alphabet.constants().zip(&self.constants).find(|(n, _)| *n == name).map_or(f64::NAN, |(_, v)| *v)
-    }
-
-    /// Nominal length of a run's bar, mm.
-    pub fn radius(&self, run: usize) -> f64 {
-        let ReadingKind::BarLength(id) = self.model.runs[run].reading;
-        self.constant(&self.model.alphabet.nominal_name(id))
     }
 
     /// Position of a run.

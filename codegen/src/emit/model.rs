@@ -1,13 +1,13 @@
 //! A derivation as functions to compile or to evaluate: one per run, one per estimated function.
 
 use super::function::{Function, Output};
-use super::{header, rust};
+use super::{header, numpy, rust};
 use crate::algebra::{Alphabet, Fraction, Nominal, Poly, SweepId};
 use crate::basis::Basis;
 use crate::graph::{Graph, Id, Unbound};
-use crate::identify::Derivation;
+use crate::identify::{Derivation, DerivedRun};
 use crate::model::{Coordinate, Model};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 /// What one run's samples become: inputs are the constants and the sweep, outputs the regressors in the order of
@@ -25,10 +25,12 @@ pub fn run(model: &Model, derivation: &Derivation, run: usize) -> Result<Functio
     if !known.is_empty() {
         outputs.push(Output::array("known", &known));
     }
-    let doc =
-        format!("Regressors of the base parameters that run `{}` sees, mm per unit of the parameter;", derived.name);
-    let what = if known.is_empty() { "" } else { "then the factors of the known functions, mm per mm or rad." };
-    Function::new(&graph, &derived.name, &[&doc, what], &borrowed(&inputs), &outputs)
+    let end = if known.is_empty() { "." } else { ";\nthen the factors of the known functions, mm per mm or rad." };
+    let doc = format!(
+        "Regressors of the base parameters that run `{}` sees, mm per unit of the parameter{end}",
+        derived.name
+    );
+    Function::new(&graph, &derived.name, &[&doc], &borrowed(&inputs), &outputs)
 }
 
 /// The basis of an estimated function at a coordinate (mm or rad); `None` if it has none.
@@ -84,12 +86,12 @@ pub fn rust_source(model: &Model, derivation: &Derivation) -> Result<String, Unb
 /// The same as tokens, for a macro.
 pub fn rust_items(model: &Model, derivation: &Derivation, num_traits: &TokenStream) -> Result<TokenStream, Unbound> {
     let names = derivation.base.iter().map(|b| b.name.as_str());
-    let count = derivation.base.len();
+    let count = Literal::usize_unsuffixed(derivation.base.len());
     let runs = derivation.runs.iter().map(|r| {
-        let constant = Ident::new(&r.name.to_uppercase().replace('-', "_"), Span::call_site());
-        let doc = format!(" Positions in [`NAMES`] of the base parameters that run `{}` sees.", r.name);
-        let seen = r.regressors.iter().map(|(b, _)| *b);
-        let n = r.regressors.len();
+        let constant = Ident::new(&positions_name(&r.name), Span::call_site());
+        let doc = format!(" Positions in `NAMES` of the base parameters that run `{}` sees.", r.name);
+        let seen = r.regressors.iter().map(|(b, _)| Literal::usize_unsuffixed(*b));
+        let n = Literal::usize_unsuffixed(r.regressors.len());
         quote!(#[doc = #doc] pub const #constant: [usize; #n] = [#(#seen),*];)
     });
     let functions = functions(model, derivation)?;
@@ -100,6 +102,35 @@ pub fn rust_items(model: &Model, derivation: &Derivation, num_traits: &TokenStre
         #(#runs)*
         #(#functions)*
     })
+}
+
+/// The model as a Python module on NumPy: names, what each run sees, the functions.
+///
+/// # Errors
+/// As [`functions`].
+pub fn numpy_source(model: &Model, derivation: &Derivation) -> Result<String, Unbound> {
+    let quoted: Vec<String> = derivation.base.iter().map(|b| format!("\"{}\"", b.name)).collect();
+    let mut text = header("#", &model.name) + numpy::IMPORTS;
+    text += "\n# Names of the base parameters, the estimated functions' coefficients first.\n";
+    text += &format!("NAMES = [{}]\n", quoted.join(", "));
+    for run in &derivation.runs {
+        text += &format!("\n# Positions in NAMES of the base parameters that run `{}` sees.\n", run.name);
+        text += &format!("{} = [{}]\n", positions_name(&run.name), seen(run));
+    }
+    for function in functions(model, derivation)? {
+        text += "\n\n";
+        text += &numpy::function(&function);
+    }
+    Ok(text)
+}
+
+/// The constant that says what a run sees: `TILTING`.
+fn positions_name(run: &str) -> String {
+    run.to_uppercase().replace('-', "_")
+}
+
+fn seen(run: &DerivedRun) -> String {
+    run.regressors.iter().map(|(b, _)| b.to_string()).collect::<Vec<_>>().join(", ")
 }
 
 /// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`.

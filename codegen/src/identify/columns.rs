@@ -47,7 +47,7 @@ pub(super) fn columns(model: &Model, readings: &[Poly]) -> Result<Columns, Deriv
                 continue;
             };
             let Some((position, function)) = model.functions.iter().enumerate().find(|(_, f)| f.error == error) else {
-                without_basis.push((run, error));
+                without_basis.push((run, error, coefficient));
                 continue;
             };
             if function.basis == Basis::Known {
@@ -89,12 +89,12 @@ fn put(found: &mut Vec<(Parameter, Vec<Poly>)>, runs: usize, name: String, origi
 /// Coefficients of estimated functions first, so that what they are confounded with shows in their own definition; then
 /// the declared order; then the order of the symbols.
 fn sort(model: &Model, found: &mut [(Parameter, Vec<Poly>)]) -> Result<(), DeriveError> {
-    if let Some(name) = model.order.iter().find(|name| found.iter().all(|(p, _)| p.name != **name)) {
-        return Err(DeriveError::UnknownParameter(name.clone()));
+    if let Some(at) = model.order.iter().position(|text| found.iter().all(|(p, _)| p.name != text.value)) {
+        return Err(DeriveError::UnknownParameter(at));
     }
     found.sort_by_key(|(p, _)| {
         let estimated = matches!(p.origin, Origin::Coefficient(f, _) if model.functions[f].estimate);
-        let declared = model.order.iter().position(|name| *name == p.name).unwrap_or(model.order.len());
+        let declared = model.order.iter().position(|text| text.value == p.name).unwrap_or(model.order.len());
         let symbol = match p.origin {
             Origin::Constant(error) => (error, 0),
             Origin::Coefficient(f, k) => (model.functions[f].error, k),

@@ -67,10 +67,10 @@ pub struct DerivedRun {
 pub enum DeriveError {
     /// A run has no reading: the run's position and why.
     Reading(usize, ReadingError),
-    /// Motion errors that a run sees and of which nothing is assumed.
-    NoBasis(Vec<(usize, ErrorId)>),
-    /// A name in the declared order that is no parameter of the runs.
-    UnknownParameter(String),
+    /// Motion errors that runs see and of which nothing is assumed: the run's position, the error, its coefficient.
+    NoBasis(Vec<(usize, ErrorId, Poly)>),
+    /// An entry of [`Model::order`] that is no parameter of the runs.
+    UnknownParameter(usize),
     /// An exact computation failed.
     Algebra(AlgebraError),
 }

@@ -2,7 +2,7 @@
 
 use super::ReadingError;
 use crate::algebra::{AlgebraError, Monomial, NominalId, Order, Poly, Rational, difference, dot, integer};
-use crate::kinematics::{ErrorValues, ExactRun, ball_positions};
+use crate::kinematics::ball_positions;
 use crate::model::{Model, Run};
 
 /// The nominal distance of the balls.
@@ -40,7 +40,7 @@ pub(super) fn deviation(model: &Model, run: &Run, radius: NominalId, order: Orde
     Ok(sum.normal(alphabet)?)
 }
 
-fn length(square: &Poly) -> Result<Length, AlgebraError> {
+pub(super) fn length(square: &Poly) -> Result<Length, AlgebraError> {
     if let [(m, c)] = square.terms() {
         let half: Vec<i8> = m.powers().iter().map(|p| p / 2).collect();
         let root = |n: i128| (n >= 0).then(|| n.unsigned_abs().isqrt() as i128);
@@ -52,16 +52,4 @@ fn length(square: &Poly) -> Result<Length, AlgebraError> {
         }
     }
     Ok(Length::RootOf(square.clone()))
-}
-
-/// The exact radial deviations along a run: the Euclidean length of the bar less its nominal length, mm.
-pub fn exact_deviations<'a>(
-    run: &'a ExactRun,
-    radius: f64,
-    errors: &'a impl ErrorValues,
-) -> impl Iterator<Item = f64> + 'a {
-    run.balls(errors).map(move |[w, t]| {
-        let square: f64 = w.iter().zip(&t).map(|(w, t)| (w - t) * (w - t)).sum();
-        square.sqrt() - radius
-    })
 }

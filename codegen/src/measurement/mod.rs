@@ -1,8 +1,11 @@
 //! From the two balls to what the instrument reads, as a polynomial in the errors: eqs. (4) and (5).
 
 mod bar;
+mod displacement;
+mod exact;
 
-pub use bar::{Length, exact_deviations};
+pub use bar::Length;
+pub use exact::ExactReading;
 
 use crate::algebra::{AlgebraError, Order, Poly};
 use crate::model::{Model, ReadingKind, Run};
@@ -12,6 +15,8 @@ use crate::model::{Model, ReadingKind, Run};
 pub enum ReadingError {
     /// The nominal distance of the balls is not the bar's length: what it is instead.
     NotTheBar(Length),
+    /// The balls of a displacement reading do not nominally coincide: how far they are apart.
+    NotTogether(Length),
     /// An exact computation failed.
     Algebra(AlgebraError),
 }
@@ -24,7 +29,8 @@ impl From<AlgebraError> for ReadingError {
 
 /// The reading of a run up to `order` errors, in normal form, mm; its order-0 part is 0.
 pub fn reading(model: &Model, run: &Run, order: Order) -> Result<Poly, ReadingError> {
-    match run.reading {
-        ReadingKind::BarLength(radius) => bar::deviation(model, run, radius, order),
+    match &run.reading {
+        ReadingKind::BarLength(radius) => bar::deviation(model, run, *radius, order),
+        ReadingKind::Displacement(direction) => displacement::displacement(model, run, direction, order),
     }
 }

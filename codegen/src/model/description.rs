@@ -1,9 +1,11 @@
 //! The description of a machine and its runs, every symbol resolved: where the derivation starts.
 //!
-//! A [`Model`] is consistent by construction: it comes from [`super::ModelBuilder`], which a model file and the
-//! derive macros use too, and which refuses what the later rooms could not handle.
+//! A [`Model`] is consistent by construction: it comes from a [`super::Draft`], which a model file, the builder and the
+//! derive macro all fill, and whose `build` refuses what the later rooms could not handle.
 
+use super::draft::Text;
 use super::evaluate::Angle;
+use super::expression::Span;
 use crate::algebra::{Alphabet, ErrorId, NominalId, Poly, SweepId, Vector};
 use crate::basis::Basis;
 
@@ -27,7 +29,7 @@ pub struct Model {
     /// What is assumed of every motion error: errors without an entry must not appear in a reading.
     pub functions: Vec<Function>,
     /// Parameters to be used as pivots first, in this order.
-    pub order: Vec<String>,
+    pub order: Vec<Text>,
 }
 
 impl Model {
@@ -59,6 +61,8 @@ pub struct Function {
     pub basis: Basis,
     /// True for a function the runs are made to find: reported with its band, its coefficients keep their own names.
     pub estimate: bool,
+    /// Where it is described.
+    pub place: Span,
 }
 
 /// The six components of an error, ISO 230-1's order: X Y Z A B C.
@@ -106,8 +110,21 @@ pub struct Axis {
     pub direction: Vector,
     /// Location errors (ISO 230-1 EX0A … EC0A), X Y Z A B C, where the model has them.
     pub location: [Option<ErrorId>; 6],
+    /// Against which other axes its orientation errors are declared.
+    pub references: Vec<Reference>,
     /// Motion errors (EXA … ECA), X Y Z A B C.
     pub motion: [ErrorId; 6],
+}
+
+/// An orientation error that is declared as squareness or parallelism to another axis: ISO 230-1's `EC(0X)Y`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reference {
+    /// The orientation error.
+    pub component: Component,
+    /// Name of the axis that defines the direction.
+    pub axis: String,
+    /// Where it is declared.
+    pub place: Span,
 }
 
 /// Turning or sliding.
@@ -134,6 +151,8 @@ pub struct Run {
     pub tool_ball: Ball,
     /// What is read.
     pub reading: ReadingKind,
+    /// Where its name and its reading are described.
+    pub places: [Span; 2],
 }
 
 /// Where an axis is along a run.
@@ -168,8 +187,11 @@ pub struct Ball {
 }
 
 /// What an instrument reads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ReadingKind {
     /// The radial deviation of a bar whose nominal length is this constant, eq. (4).
     BarLength(NominalId),
+    /// The displacement of the tool ball against the workpiece ball, which nominally coincide, along this exact unit
+    /// vector in machine coordinates; it may turn with the sweep. One channel of an R-test or of a probe on a sphere.
+    Displacement(Vector),
 }

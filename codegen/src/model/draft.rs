@@ -75,8 +75,33 @@ pub struct DraftRun {
     pub workpiece_ball: DraftBall,
     /// The ball on the tool.
     pub tool_ball: DraftBall,
-    /// The bar's length: a constant.
-    pub reading: Text,
+    /// What is read.
+    pub reading: DraftReading,
+}
+
+/// What a run reads, as written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DraftReading {
+    /// `"R"`: the length of a bar, a constant.
+    Bar(Text),
+    /// `{ displacement = … }`: `x`, `-z` or three expressions for one component; `xyz` for all three, each a run of its own.
+    Displacement(Vec<Text>),
+}
+
+impl Default for DraftReading {
+    fn default() -> Self {
+        Self::Bar(Text::default())
+    }
+}
+
+impl DraftReading {
+    /// Where it stands.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::Bar(text) => text.span.clone(),
+            Self::Displacement(direction) => direction.first().map_or(0..0, |text| text.span.clone()),
+        }
+    }
 }
 
 /// One ball.

@@ -1,6 +1,6 @@
 //! Model files: TOML into a draft, every problem with its place.
 
-use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftRun, Text};
+use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Text};
 use super::expression::Span;
 use super::{AxisKind, Model, Problem, ProblemKind};
 use toml::Spanned;
@@ -20,8 +20,10 @@ pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
     if problems.is_empty() {
         return built;
     }
-    problems.extend(built.err().unwrap_or_default());
+    // What was misspelt is missing elsewhere: only what does not follow from that is told along with it.
+    problems.extend(built.err().unwrap_or_default().into_iter().filter(|p| !p.kind.may_follow()));
     problems.sort_by_key(|p| p.span.start);
+    problems.dedup();
     Err(problems)
 }
 
@@ -41,9 +43,11 @@ const TOP: &[&str] = &[
 ];
 const AXIS: &[&str] = &["rotary", "linear", "location"];
 const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading"];
+const READING: &[&str] = &["displacement"];
 const BALL: &[&str] = &["at", "setup"];
 const BASIS: &[&str] = &["polynomial", "conditions", "fourier"];
 const WORDS: &[&str] = &["known", "zero"];
+const READINGS: &str = "a reading: a bar's length such as \"R\", or { displacement = \"x\" }";
 
 type Entry<'a> = (&'a Spanned<std::borrow::Cow<'a, str>>, &'a Spanned<DeValue<'a>>);
 
@@ -91,13 +95,13 @@ impl Reader {
         let (kind, key) = match (table.get("rotary"), table.get("linear")) {
             (Some(_), None) => (AxisKind::Rotary, "rotary"),
             (None, Some(_)) => (AxisKind::Linear, "linear"),
-            _ => return self.problem(name.span, ProblemKind::Missing("rotary` or `linear")),
+            _ => {
+                // The axis stands in for the one that was meant, so that its errors are not all unknown too.
+                self.problem::<()>(name.span.clone(), ProblemKind::Missing("rotary` or `linear"));
+                return Some(DraftAxis::linear(name, "x").located(self.list(table, "location")));
+            }
         };
-        let direction = match table.get(key) {
-            Some(value) if matches!(value.get_ref(), DeValue::Array(_)) => self.list(table, key),
-            Some(value) => self.text(value).into_iter().collect(),
-            None => Vec::new(),
-        };
+        let direction = self.direction(table, key);
         Some(DraftAxis { name, kind, direction, location: self.list(table, "location") })
     }
 
@@ -113,8 +117,28 @@ impl Reader {
             at,
             workpiece_ball: self.ball(table, "workpiece_ball"),
             tool_ball: self.ball(table, "tool_ball"),
-            reading: self.required(table, "reading", name.span.clone()),
+            reading: self.reading(table, name.span.clone()),
             name,
+        }
+    }
+
+    fn reading(&mut self, run: &DeTable, parent: Span) -> DraftReading {
+        match run.get("reading").map(|value| (value, value.get_ref())) {
+            None => self.problem(parent, ProblemKind::Missing("reading")),
+            Some((_, DeValue::Table(table))) => {
+                self.known_keys(table, READING);
+                DraftReading::Displacement(self.direction(table, "displacement"))
+            }
+            Some((value, DeValue::String(_))) => DraftReading::Bar(self.text(value).unwrap_or_default()),
+            Some((value, _)) => self.problem(value.span(), ProblemKind::Type(READINGS)),
+        }
+    }
+
+    fn direction(&mut self, table: &DeTable, key: &str) -> Vec<Text> {
+        match table.get(key) {
+            Some(value) if matches!(value.get_ref(), DeValue::Array(_)) => self.list(table, key),
+            Some(value) => self.text(value).into_iter().collect(),
+            None => Vec::new(),
         }
     }
 

@@ -3,6 +3,7 @@
 //! After this room every symbol is resolved, every axis has a coordinate in every run, and every expression
 //! is exact.
 
+mod builder;
 mod conditions;
 mod description;
 mod draft;
@@ -11,10 +12,11 @@ mod expression;
 mod file;
 mod notation;
 mod problem;
+mod reference;
 mod resolve;
 
-pub use description::{Axis, AxisKind, Ball, Component, Coordinate, Function, Model, ReadingKind, Run};
-pub use draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftRun, Text};
+pub use description::{Axis, AxisKind, Ball, Component, Coordinate, Function, Model, ReadingKind, Reference, Run};
+pub use draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Text};
 pub use evaluate::{Angle, EvaluationError, Meaning, Scope, at, nominal_value};
 pub use expression::{Expected, Expr, Node, Operator, Span, SyntaxError, parse, parse_equation};
 pub use file::read;

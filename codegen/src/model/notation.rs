@@ -50,6 +50,16 @@ pub fn iso_motion(component: Component, axis: &str) -> String {
     format!("E{}{axis}", component.letter())
 }
 
+/// Reads the name of a location error of `axis`: `EC0Y`, or `EC(0X)Y` for the one against the axis X.
+pub(super) fn location_error<'a>(text: &'a str, axis: &str) -> Option<(Component, Option<&'a str>)> {
+    let rest = text.strip_prefix('E')?;
+    let component = Component::from_letter(rest.chars().next()?)?;
+    let place = rest[1..].strip_suffix(axis)?;
+    let reference = place.strip_prefix("(0").and_then(|p| p.strip_suffix(')'));
+    let angle = component.is_rotation() && reference.is_some_and(|r| !r.is_empty());
+    (place == "0" || angle).then_some((component, reference))
+}
+
 /// ISO 230-1 name of a location error: `E`, component, `0`, axis.
 pub fn iso_location(component: Component, axis: &str) -> String {
     format!("E{}0{axis}", component.letter())

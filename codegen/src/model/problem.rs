@@ -2,6 +2,7 @@
 
 use super::evaluate::Meaning;
 use super::expression::{Expected, Span};
+use crate::algebra::AlgebraError;
 use crate::basis::NoBasis;
 use core::fmt;
 
@@ -43,6 +44,12 @@ pub enum ProblemKind {
     UnknownError(String),
     /// Not a location error of this axis.
     NotALocation(String),
+    /// An orientation error about an axis of coordinates that does not change the angle between the two axes.
+    NoAngle(char, String, String),
+    /// A reference axis that the axis itself carries, so that it turns along.
+    CarriedReference(String, String),
+    /// A reference axis with an orientation error of the same component.
+    TurnedReference(String, char),
     /// A list of another length than three.
     NotThree(usize),
     /// A direction whose length is not exactly 1.
@@ -63,6 +70,16 @@ pub enum ProblemKind {
     NoBasis(NoBasis),
     /// The model has no run.
     NoRuns,
+    /// A run whose balls are not nominally the bar's length apart: the length, what they are apart instead.
+    NotTheBar(String, String),
+    /// A run that reads a displacement of balls that do not nominally coincide: what they are apart instead.
+    NotTogether(String),
+    /// A run that sees a motion error of which nothing is assumed: the run, the error, its coefficient.
+    NothingAssumed(String, String, String),
+    /// A name in `order` that is no parameter of the runs.
+    UnknownParameter(String),
+    /// An exact computation failed while a run was derived.
+    Derivation(AlgebraError),
 }
 
 impl fmt::Display for ProblemKind {
@@ -95,15 +112,66 @@ impl fmt::Display for ProblemKind {
             Self::NoBasis(NoBasis::NotPolynomial) => write!(f, "the conditions divide by a sum of constants"),
             Self::NoBasis(NoBasis::Algebra(e)) => fmt::Display::fmt(e, f),
             Self::NoRuns => write!(f, "the model has no run"),
+            Self::NoAngle(letter, other, axis) => {
+                write!(f, "a rotation {letter} does not change the angle between {other} and {axis}")
+            }
+            Self::CarriedReference(other, axis) => write!(f, "axis {other} is carried by {axis} and turns with it"),
+            Self::TurnedReference(other, letter) => {
+                write!(f, "axis {other} has an orientation error E{letter}0{other} itself")
+            }
+            Self::NotTheBar(bar, length) => write!(f, "the balls are nominally {length} apart, not {bar}"),
+            Self::NotTogether(length) => write!(f, "the balls are nominally {length} apart, not together"),
+            Self::NothingAssumed(run, error, factor) => {
+                write!(f, "run {run} sees {error} with the factor {factor}, and nothing is assumed of it")
+            }
+            Self::UnknownParameter(name) => write!(f, "`{name}` is not a parameter that the runs see"),
+            Self::Derivation(e) => fmt::Display::fmt(e, f),
         }
     }
 }
 
 impl ProblemKind {
+    /// True for what another problem may have caused: a name that is not there, a place without a value.
+    pub(super) fn may_follow(&self) -> bool {
+        matches!(
+            self,
+            Self::Missing(_)
+                | Self::Meaning(Meaning::UnknownName(_))
+                | Self::NotAConstant(_)
+                | Self::UnknownError(_)
+                | Self::UnknownAxis(_)
+                | Self::Unplaced(_)
+                | Self::NoCoordinate(_)
+                | Self::NoAngle(..)
+                | Self::NothingToEstimate(_)
+                | Self::NoRuns
+        )
+    }
+
+    /// What the pointer says at its place.
+    pub fn pointer(&self) -> &'static str {
+        match self {
+            Self::Toml(_) | Self::Syntax(_) => "here",
+            Self::UnknownKey(..) => "not known here",
+            Self::Missing(_) | Self::NoCoordinate(_) | Self::NoRuns => "incomplete",
+            Self::Type(_) | Self::OneOf(..) | Self::Range(..) | Self::NotAName(_) => "this value",
+            Self::Taken(_) => "used a second time",
+            Self::UnknownAxis(_) | Self::UnknownError(_) | Self::NotAConstant(_) | Self::UnknownParameter(_) => {
+                "unknown"
+            }
+            Self::NotThree(_) | Self::NotAUnitVector => "this vector",
+            Self::NotTheBar(..) | Self::NotTogether(_) => "this reading",
+            Self::NothingAssumed(..) => "this run",
+            _ => "this",
+        }
+    }
+
     /// What would have been right.
     pub fn help(&self) -> Option<String> {
         Some(match self {
+            Self::Toml(_) => "expected a model file: mend this line, or give a model's name".into(),
             Self::UnknownKey(_, known) | Self::OneOf(_, known) => format!("expected {}", list(known)),
+            Self::UnknownAxis(axis) => format!("describe it under [axis.{axis}], with `rotary` or `linear`"),
             Self::NotAName(_) => "a letter first, then letters, digits and underscores".into(),
             Self::Unplaced(_) => {
                 "name it in `workpiece = […]` or `tool = […]`, from the machine's base outwards".into()
@@ -113,13 +181,35 @@ impl ProblemKind {
             }
             Self::UnknownError(_) => "an ISO 230-1 name such as EYY or EAA, or the model's own name for it".into(),
             Self::NotALocation(_) => {
-                "EX0, EY0, EZ0 for offsets, EA0, EB0, EC0 for orientation, followed by the axis' name".into()
+                "EX0, EY0, EZ0 for offsets, EA0, EB0, EC0 for orientation, followed by the axis' name; \
+                 EC(0X)Y for squareness to X"
+                    .into()
+            }
+            Self::NoAngle(..) => "use the component about an axis that is square to both, or drop the reference".into(),
+            Self::CarriedReference(other, axis) => format!("declare the angle on {other}, against {axis}"),
+            Self::TurnedReference(..) => "a reference defines the direction: drop its error or choose another".into(),
+            Self::NotTheBar(..) => "path and balls must keep the bar's length: check `at` and both balls".into(),
+            Self::NotTogether(_) => "path must carry one ball along with the other: check `at` and both balls".into(),
+            Self::NothingAssumed(_, error, _) => {
+                format!(
+                    "add `{error} = …` under [function]: {{ polynomial = 2 }}, {{ fourier = 2 }}, \"known\" or \"zero\""
+                )
+            }
+            Self::UnknownParameter(_) => {
+                "location and set-up errors have their names, coefficients a number: EYY1, EAA_cos1".into()
             }
             Self::NotThree(_) => "three expressions, along x, y and z".into(),
             Self::NotAUnitVector => {
                 "`x`, `-y`, or three components such as [\"0\", \"1/sqrt(2)\", \"1/sqrt(2)\"]".into()
             }
             Self::NotAConstant(_) => "name it in `constants = […]`".into(),
+            Self::FourierOfLength => "{ polynomial = 2 }, of the axis' travel".into(),
+            Self::Taken(_) => "every name stands for one thing, in generated source whatever its case".into(),
+            Self::Missing("rotary` or `linear") => {
+                "`rotary = \"x\"` or `linear = \"y\"`: what it does, along which direction".into()
+            }
+            Self::Missing("polynomial` or `fourier") => "a basis is { polynomial = 2 } or { fourier = 2 }".into(),
+            Self::Missing(key) => format!("add `{key} = …`"),
             Self::NothingToEstimate(_) => "give it a polynomial or a Fourier sum under [function]".into(),
             Self::NotACondition => "for example \"f(0) = 0\", \"f(2*pi) = f(0)\", \"f'(2*pi) = f'(0)\"".into(),
             Self::NoBasis(NoBasis::OnlyZero) => "raise the degree or drop a condition".into(),

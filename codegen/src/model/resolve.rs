@@ -1,10 +1,11 @@
 //! From a draft to a model: every symbol resolved, every problem collected.
 
-use super::description::{Axis, AxisKind, Ball, Component, Coordinate, Function, Model, ReadingKind, Run};
-use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftRun, Text};
+use super::description::{Axis, AxisKind, Ball, Component, Coordinate, Function, Model, ReadingKind, Reference, Run};
+use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Text};
 use super::evaluate::{EvaluationError, Scope};
 use super::expression::{Expr, Span, SyntaxError, parse};
-use super::{Notation, Problem, ProblemKind, conditions, iso_location, iso_motion};
+use super::notation::location_error;
+use super::{Notation, Problem, ProblemKind, conditions, iso_location, iso_motion, reference};
 use crate::algebra::{AlgebraError, Alphabet, ErrorId, NominalId, Order, Poly, Quantity, SweepId, Vector, dot};
 use crate::basis::{Basis, satisfying};
 
@@ -33,6 +34,11 @@ impl Resolver {
     }
 
     fn model(&mut self, draft: &Draft) -> Option<Model> {
+        if draft.name.value.is_empty() {
+            self.problem::<()>(&draft.name.span, ProblemKind::Missing("name"));
+        } else {
+            self.is_name(&draft.name);
+        }
         let notation = match draft.notation.as_ref().map(|t| (t, t.value.as_str())) {
             None | Some((_, "iso230")) => Notation::Iso230,
             Some((_, "paper")) => Notation::Paper,
@@ -50,25 +56,31 @@ impl Resolver {
         let mut names = draft.names.clone();
         let workpiece = self.side(draft, &draft.workpiece, notation, &mut names);
         let tool = self.side(draft, &draft.tool, notation, &mut names);
+        let mut unplaced = Vec::new();
         for axis in &draft.axes {
             if !draft.workpiece.iter().chain(&draft.tool).any(|t| t.value == axis.name.value) {
                 self.problem::<()>(&axis.name.span, ProblemKind::Unplaced(axis.name.value.clone()));
+                unplaced.extend(self.axis(axis, notation, &mut names));
             }
         }
         for (iso, _) in names {
             self.problem::<()>(&iso.span, ProblemKind::UnknownError(iso.value));
         }
         let axes: Vec<&Axis> = workpiece.iter().chain(&tool).collect();
-        let runs: Vec<Run> = draft.runs.iter().filter_map(|run| self.run(run, &axes, draft)).collect();
+        let known: Vec<&Axis> = axes.iter().copied().chain(&unplaced).collect();
+        let runs: Vec<Run> = draft.runs.iter().filter_map(|run| self.run(run, &axes, draft)).flatten().collect();
         if draft.runs.is_empty() {
             self.problem::<()>(&draft.name.span, ProblemKind::NoRuns);
         }
-        for (i, run) in draft.runs.iter().enumerate() {
-            if draft.runs[..i].iter().any(|r| r.name.value == run.name.value) {
-                self.problem::<()>(&run.name.span, ProblemKind::Taken(run.name.value.clone()));
+        for (i, run) in runs.iter().enumerate() {
+            // Generated source names constants and functions after runs, in either case.
+            let same = |other: &str| item(other) == item(&run.name);
+            let errors: Vec<&str> = self.alphabet.errors().map(|(_, name, _)| name).collect();
+            if runs[..i].iter().any(|r| same(&r.name)) || errors.into_iter().any(same) || same("names") {
+                self.problem::<()>(&run.places[0], ProblemKind::Taken(run.name.clone()));
             }
         }
-        let mut functions: Vec<Function> = draft.functions.iter().filter_map(|f| self.function(f, &axes)).collect();
+        let mut functions: Vec<Function> = draft.functions.iter().filter_map(|f| self.function(f, &known)).collect();
         for (i, f) in draft.functions.iter().enumerate() {
             let same = |g: &DraftFunction| {
                 self.error(&g.error.value).is_some() && self.error(&g.error.value) == self.error(&f.error.value)
@@ -81,10 +93,12 @@ impl Resolver {
             let error = self.error(&text.value);
             match functions.iter_mut().find(|f| Some(f.error) == error) {
                 Some(f) if !matches!(f.basis, Basis::Zero | Basis::Known) => f.estimate = true,
+                None if error
+                    .is_some_and(|e| draft.functions.iter().any(|f| self.error(&f.error.value) == Some(e))) => {}
                 _ => self.problem(&text.span, ProblemKind::NothingToEstimate(text.value.clone())).unwrap_or(()),
             }
         }
-        Some(Model {
+        let model = Model {
             name: draft.name.value.clone(),
             title: draft.title.value.clone(),
             notation,
@@ -93,8 +107,10 @@ impl Resolver {
             tool,
             runs,
             functions,
-            order: draft.order.iter().map(|t| t.value.clone()).collect(),
-        })
+            order: draft.order.clone(),
+        };
+        self.problems.extend(reference::problems(&model));
+        Some(model)
     }
 
     fn side(&mut self, draft: &Draft, side: &[Text], notation: Notation, names: &mut Vec<(Text, Text)>) -> Vec<Axis> {
@@ -117,25 +133,29 @@ impl Resolver {
         }
         let name = &axis.name.value;
         let mut location = [None; 6];
+        let mut references = Vec::new();
         for text in &axis.location {
-            match Component::ALL.into_iter().find(|c| iso_location(*c, name) == text.value) {
-                Some(c) => {
-                    location[c.index()] =
-                        self.make_error(&text.span, text.value.clone(), notation.location(c, name), c, names)
-                }
-                None => self.problem(&text.span, ProblemKind::NotALocation(text.value.clone())).unwrap_or(()),
-            }
+            let Some((c, reference)) = location_error(&text.value, name) else {
+                self.problem::<()>(&text.span, ProblemKind::NotALocation(text.value.clone()));
+                continue;
+            };
+            location[c.index()] =
+                self.make_error(&text.span, iso_location(c, name), notation.location(c, name), c, names);
+            let place = text.span.clone();
+            references.extend(reference.map(|axis| Reference { component: c, axis: axis.to_owned(), place }));
         }
         let mut motion = Vec::with_capacity(6);
         for c in Component::ALL {
             motion.extend(self.make_error(&axis.name.span, iso_motion(c, name), notation.motion(c, name), c, names));
         }
-        let direction = self.direction(axis);
+        let direction = self.direction(&axis.direction, &axis.name.span, None);
         Some(Axis {
             name: name.clone(),
             kind: axis.kind,
-            direction: direction?,
+            // A refused direction has no use: the description is refused with it.
+            direction: direction.unwrap_or_default(),
             location,
+            references,
             motion: motion.try_into().ok()?,
         })
     }
@@ -166,8 +186,9 @@ impl Resolver {
         by_iso.or_else(|| self.alphabet.find_error(name))
     }
 
-    fn direction(&mut self, axis: &DraftAxis) -> Option<Vector> {
-        let direction = match axis.direction.as_slice() {
+    /// An exact unit vector, along an axis of the machine's coordinates or of three components.
+    fn direction(&mut self, written: &[Text], owner: &Span, sweep: Option<SweepId>) -> Option<Vector> {
+        let direction = match written {
             [single] => {
                 let unit =
                     |i: usize, sign: i128| core::array::from_fn(|j| Poly::integer(if i == j { sign } else { 0 }));
@@ -177,10 +198,10 @@ impl Resolver {
                     None => return self.problem(&single.span, ProblemKind::NotAUnitVector),
                 }
             }
-            three => self.vector(three, &axis.name.span, None)?,
+            three => self.vector(three, owner, sweep)?,
         };
         let square = dot(&direction, &direction, Order::NOMINAL).and_then(|p| p.normal(&self.alphabet));
-        let span = axis.direction.first().map_or(axis.name.span.clone(), |t| t.span.clone());
+        let span = written.first().map_or(owner.clone(), |t| t.span.clone());
         if self.exact(&span, square)? == Poly::one() {
             Some(direction)
         } else {
@@ -215,7 +236,8 @@ impl Resolver {
         result.map_or_else(|(span, meaning)| self.problem(&within(text, &span), ProblemKind::Meaning(meaning)), Some)
     }
 
-    fn run(&mut self, run: &DraftRun, axes: &[&Axis], draft: &Draft) -> Option<Run> {
+    /// One run, or one for each component that is read.
+    fn run(&mut self, run: &DraftRun, axes: &[&Axis], draft: &Draft) -> Option<Vec<Run>> {
         let sweep = &run.sweep;
         if !self.is_name(sweep) || (self.alphabet.find_sweep(&sweep.value).is_none() && !self.is_free(sweep)) {
             return None;
@@ -233,10 +255,39 @@ impl Resolver {
         let at: Vec<Coordinate> = axes.iter().filter_map(|axis| self.coordinate(run, axis, sweep)).collect();
         let workpiece_ball = self.ball(&run.workpiece_ball, run, sweep);
         let tool_ball = self.ball(&run.tool_ball, run, sweep);
-        let reading = self.constant(&run.reading).map(ReadingKind::BarLength);
+        let readings = self.readings(run, sweep);
         let name = self.is_name(&run.name).then(|| run.name.value.clone());
         (at.len() == axes.len()).then_some(())?;
-        Some(Run { name: name?, sweep, at, workpiece_ball: workpiece_ball?, tool_ball: tool_ball?, reading: reading? })
+        let places = [run.name.span.clone(), run.reading.span()];
+        let (workpiece_ball, tool_ball, name) = (workpiece_ball?, tool_ball?, name?);
+        let complete = |(suffix, reading): (&str, ReadingKind)| Run {
+            name: format!("{name}{suffix}"),
+            sweep,
+            at: at.clone(),
+            workpiece_ball: workpiece_ball.clone(),
+            tool_ball: tool_ball.clone(),
+            reading,
+            places: places.clone(),
+        };
+        Some(readings?.into_iter().map(complete).collect())
+    }
+
+    /// What is read, with what the name of its run is to end in.
+    fn readings(&mut self, run: &DraftRun, sweep: SweepId) -> Option<Vec<(&'static str, ReadingKind)>> {
+        match &run.reading {
+            DraftReading::Bar(text) => Some(vec![("", ReadingKind::BarLength(self.constant(text)?))]),
+            DraftReading::Displacement(direction) if matches!(direction.as_slice(), [t] if t.value == "xyz") => {
+                let component = |(at, suffix)| {
+                    let unit = core::array::from_fn(|i| Poly::integer(i128::from(i == at)));
+                    (suffix, ReadingKind::Displacement(unit))
+                };
+                Some([(0, "-x"), (1, "-y"), (2, "-z")].map(component).into())
+            }
+            DraftReading::Displacement(direction) => {
+                let direction = self.direction(direction, &run.name.span, Some(sweep))?;
+                Some(vec![("", ReadingKind::Displacement(direction))])
+            }
+        }
     }
 
     fn coordinate(&mut self, run: &DraftRun, axis: &Axis, sweep: SweepId) -> Option<Coordinate> {
@@ -305,7 +356,7 @@ impl Resolver {
                 )
             }
         };
-        Some(Function { error, basis, estimate: false })
+        Some(Function { error, basis, estimate: false, place: f.error.span.clone() })
     }
 
     fn is_name(&mut self, text: &Text) -> bool {
@@ -328,6 +379,11 @@ impl Resolver {
         }
         free
     }
+}
+
+/// What a name becomes in generated source, whatever its case.
+fn item(name: &str) -> String {
+    name.to_lowercase().replace('-', "_")
 }
 
 /// A place inside a quoted text.

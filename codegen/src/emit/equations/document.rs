@@ -4,7 +4,7 @@ use super::printer::{Printer, Style};
 use crate::algebra::{ErrorId, Fraction, Monomial, Poly, Rational};
 use crate::basis::{Basis, Univariate};
 use crate::identify::{Derivation, DerivedRun};
-use crate::model::Model;
+use crate::model::{Model, ReadingKind};
 
 /// Prints the parts of one derivation.
 pub(super) struct Document<'a> {
@@ -29,6 +29,21 @@ impl<'a> Document<'a> {
         }
     }
 
+    /// The name of what a run reads: `ΔR` of a bar, `Δx` or `Δn` of a displacement.
+    pub fn label(&self, run: usize) -> String {
+        let letter = match self.model.runs.get(run).map(|r| &r.reading) {
+            Some(ReadingKind::Displacement(direction)) => {
+                let unit = |(at, letter): (usize, char)| {
+                    let along = |(i, p): (usize, &Poly)| *p == Poly::integer(i128::from(i == at));
+                    direction.iter().enumerate().all(along).then_some(letter)
+                };
+                [(0, 'x'), (1, 'y'), (2, 'z')].into_iter().find_map(unit).unwrap_or('n')
+            }
+            _ => 'R',
+        };
+        if self.printer.style == Style::Latex { format!("\\Delta {letter}") } else { format!("Δ{letter}") }
+    }
+
     /// A run's linear reading with equal factors collected: `s·(d_yy + d_yz − d_ya) + c·(…) + …`, eq. (5).
     pub fn reading(&self, run: &DerivedRun) -> String {
         let mut groups: Vec<(Poly, Vec<(bool, ErrorId)>)> = Vec::new();
@@ -50,7 +65,7 @@ impl<'a> Document<'a> {
             let inner = self.printer.sum(members.iter().map(|(negative, e)| (*negative != flip, self.error(*e))));
             let inner = if members.len() > 1 { self.printer.parenthesised(&inner) } else { inner };
             let text = match factor.as_number() {
-                Some(n) if n == Rational::from(1) && members.len() == 1 => inner,
+                Some(n) if n == Rational::from(1) => inner,
                 _ => self.printer.product(&[self.bracketed(factor), inner]),
             };
             (flip, text)

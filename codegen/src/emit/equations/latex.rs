@@ -13,8 +13,8 @@ pub fn latex(model: &Model, derivation: &Derivation) -> String {
     let mut align = |lines: Vec<String>| {
         let _ = writeln!(out, "\\begin{{align}}\n{}\n\\end{{align}}", lines.join(" \\\\\n"));
     };
-    for run in &derivation.runs {
-        let left = format!("\\Delta R_{{\\mathrm{{{}}}}}", run.name);
+    for (i, run) in derivation.runs.iter().enumerate() {
+        let left = format!("{}_{{\\mathrm{{{}}}}}", d.label(i), run.name);
         align(vec![format!("{left} &= {}", d.reading(run)), format!("{left} &= {}", d.equation(run))]);
     }
     let function = |(i, f): (usize, &crate::model::Function)| {

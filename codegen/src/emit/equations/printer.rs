@@ -135,7 +135,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A name: `d_yy1` in LaTeX is `d_{yy1}`, `EYY` is `E_{YY}`, `k1` is `k_{1}`.
+    /// A name: `d_yy1` in LaTeX is `d_{yy1}`, `EYY` is `E_{YY}`, `ECC_cos1` is `E_{CC,cos1}`, `k1` is `k_{1}`.
     pub fn name(&self, name: &str) -> String {
         if self.style != Style::Latex {
             return name.to_owned();
@@ -144,6 +144,7 @@ impl Printer<'_> {
             n.len() > 2 && n.starts_with('E') && n.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit())
         };
         let (head, tail) = match name.split_once('_') {
+            Some((iso, tail)) if is_iso(iso) => return format!("E_{{{},{tail}}}", &iso[1..]),
             Some((head, tail)) => (head, tail),
             None if is_iso(name) => name.split_at(1),
             None => name.split_at(name.find(|c: char| c.is_ascii_digit()).filter(|i| *i > 0).unwrap_or(name.len())),

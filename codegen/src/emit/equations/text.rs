@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::printer::Style;
+use crate::algebra::SweepId;
 use crate::identify::Derivation;
 use crate::model::Model;
 use core::fmt::Write;
@@ -10,14 +11,26 @@ use core::fmt::Write;
 pub fn text(model: &Model, derivation: &Derivation) -> String {
     let d = Document::new(model, derivation, Style::Pretty);
     let mut out = format!("{}: {}\n", model.name, model.title);
-    let sweep = model.runs.first().map_or("a", |r| model.alphabet.sweep_name(r.sweep));
-    let [_, sin, cos] = model.runs.first().map_or(["a", "s", "c"].map(str::to_owned), |r| {
-        model.alphabet.sweep_symbols(r.sweep).map(|id| model.alphabet.nominal_name(id))
-    });
-    let _ = writeln!(out, "lengths in mm, angles in rad; {sin} = sin {sweep}, {cos} = cos {sweep}");
-    for run in &derivation.runs {
-        let _ = write!(out, "\nRun {}: the linear reading\n  ΔR = {}\n", run.name, d.reading(run));
-        let _ = write!(out, "with its functions put in\n  ΔR = {}\n", d.equation(run));
+    let mut sweeps: Vec<_> = model.runs.iter().map(|r| r.sweep).collect();
+    sweeps.sort();
+    sweeps.dedup();
+    let trig = |&id: &SweepId| {
+        let [_, sin, cos] = model.alphabet.sweep_symbols(id).map(|id| model.alphabet.nominal_name(id));
+        let sweep = model.alphabet.sweep_name(id);
+        format!("{sin} = sin {sweep}, {cos} = cos {sweep}")
+    };
+    let trig: Vec<String> = sweeps.iter().map(trig).collect();
+    let _ = writeln!(out, "lengths in mm, angles in rad; {}", trig.join(", "));
+    for axis in model.axes() {
+        for r in &axis.references {
+            let name = axis.location[r.component.index()].map_or("", |e| model.alphabet.error_name(e));
+            let _ = writeln!(out, "{name}: the angle of {} to {}", axis.name, r.axis);
+        }
+    }
+    for (i, run) in derivation.runs.iter().enumerate() {
+        let label = d.label(i);
+        let _ = write!(out, "\nRun {}: the linear reading\n  {label} = {}\n", run.name, d.reading(run));
+        let _ = write!(out, "with its functions put in\n  {label} = {}\n", d.equation(run));
     }
     let _ = writeln!(out, "\nFunctions");
     for (i, f) in model.functions.iter().enumerate() {

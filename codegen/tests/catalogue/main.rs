@@ -1,0 +1,7 @@
+//! Every model of the catalogue: its equations for review, and its derivation against numbers.
+
+mod derivative;
+mod numbers;
+mod printed;
+mod rank;
+mod snapshots;

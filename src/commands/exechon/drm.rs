@@ -1,0 +1,85 @@
+//! `trunnion exechon drm`: the dependent rotation of poses, over the workspace, around a ring.
+
+use super::ik::{degrees, each_pose};
+use super::spool::{Spool, picture, print};
+use super::{Failed, FrameName, TiltedName, Which, numbers};
+use clap::Args;
+use serde_json::json;
+use std::path::PathBuf;
+use trunnion::exechon::{Compensation, drm_map, quintic_picture};
+
+/// Arguments of `drm`.
+#[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("what").required(true).args(["file", "map", "ring"]))]
+pub struct Drm {
+    /// Poses: CSV with the columns x_mm,y_mm,z_mm,i,j,k; `-` reads standard input.
+    file: Option<PathBuf>,
+    /// Coordinates of points and directions.
+    #[arg(long, value_enum, default_value_t = FrameName::Machine)]
+    frame: FrameName,
+    /// What drm_deg is counted from where the tool is tilted.
+    #[arg(long, value_enum, default_value_t = TiltedName::Projected)]
+    tilted: TiltedName,
+    /// Draws φ over x and y, in machine coordinates with the tool as at home, at this z (SVG to --svg).
+    #[arg(long, value_name = "Z_MM", allow_hyphen_values = true, requires = "svg")]
+    map: Option<f64>,
+    /// Half the side of the map, mm.
+    #[arg(long, value_name = "MM", default_value_t = 500.0)]
+    reach: f64,
+    /// Fits the quintic (10) around a ring: its centre in machine coordinates.
+    #[arg(long, value_name = "X,Y,Z", value_parser = numbers::<3>, allow_hyphen_values = true)]
+    ring: Option<[f64; 3]>,
+    /// The ring's diameter, mm.
+    #[arg(long, value_name = "MM", default_value_t = 40.001)]
+    diameter: f64,
+    /// The stylus ball's diameter, mm.
+    #[arg(long, value_name = "MM", default_value_t = 6.0)]
+    stylus: f64,
+    /// Touches that the quintic is fitted to.
+    #[arg(long, default_value_t = 36)]
+    touches: u32,
+    /// The picture's file.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    #[command(flatten)]
+    which: Which,
+}
+
+impl Drm {
+    /// Computes and shows.
+    pub fn run(self) -> Result<(), Failed> {
+        let machine = self.which.read()?;
+        if let Some(file) = &self.file {
+            let mut spool = Spool::new()?;
+            spool.line(format_args!("x_mm,y_mm,z_mm,drm_deg"))?;
+            each_pose(&machine, file, self.frame, self.tilted.into(), |[x, y, z], _, drm| {
+                spool.line(format_args!("{x},{y},{z},{}", degrees(drm)))
+            })?;
+            return spool.show();
+        }
+        if let Some(z) = self.map {
+            if !(self.reach > 0.0 && self.reach.is_finite() && z.is_finite()) {
+                return Err(Failed::Option("reach", "expected a positive number of mm"));
+            }
+            let range = (-self.reach, self.reach);
+            return picture(self.svg.as_deref(), || Ok(drm_map(&machine, z, range, range, &[])?));
+        }
+        let Some(centre) = self.ring else {
+            return Ok(());
+        };
+        let radius = (self.diameter - self.stylus) / 2.0;
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(Failed::Option("stylus", "expected a ball smaller than the ring"));
+        }
+        let quintic = Compensation::fit(&machine, centre, radius, self.touches)?;
+        picture(self.svg.as_deref(), || Ok(quintic_picture(&machine, &quintic)?))?;
+        let report = json!({
+            "centre_mm": quintic.centre,
+            "path_radius_mm": quintic.radius,
+            "coefficients_deg_per_rad_to_n": quintic.coefficients.map(f64::to_degrees),
+            "largest_deviation_at_touches_deg": quintic.at_touches.to_degrees(),
+            "largest_deviation_anywhere_deg": quintic.anywhere.to_degrees(),
+        });
+        print(&format!("{report:#}\n"))
+    }
+}

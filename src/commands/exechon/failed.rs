@@ -1,0 +1,44 @@
+//! Why a command of the parallel machine was refused.
+
+use std::path::PathBuf;
+use thiserror::Error;
+use trunnion::data::WriteError;
+use trunnion::exechon::{
+    CompensationError, ExperimentError, MachineFileError, NcError, PictureError, PlanError, TableError,
+};
+use trunnion::plot::PlotError;
+
+/// Why a command was refused.
+#[derive(Debug, Error)]
+pub enum Failed {
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    Machine(PathBuf, MachineFileError),
+    #[error(transparent)]
+    Table(#[from] TableError),
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    Points(PathBuf, String),
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    #[error(transparent)]
+    Plot(#[from] PlotError),
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    #[error("{0}\n  expected a ring within the workspace, and at least 7 touches")]
+    Compensation(#[from] CompensationError),
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    #[error(transparent)]
+    Nc(#[from] NcError),
+    #[error("{0}\n  expected a machine that reaches the paper's positions")]
+    Experiment(#[from] ExperimentError),
+    #[error("output: {0}")]
+    Output(std::io::ErrorKind),
+    #[error("--{0}: {1}")]
+    Option(&'static str, &'static str),
+}
+
+impl From<std::io::Error> for Failed {
+    fn from(e: std::io::Error) -> Self {
+        Self::Output(e.kind())
+    }
+}

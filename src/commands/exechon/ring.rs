@@ -1,0 +1,106 @@
+//! `trunnion exechon ring`: what a probed ring shows.
+
+use super::spool::{picture, print};
+use super::{Failed, Which, numbers};
+use clap::Args;
+use serde_json::json;
+use std::path::PathBuf;
+use trunnion::exechon::{RingError, RingReport, read_rows, ring_picture, ring_report};
+
+/// Arguments of `ring`.
+#[derive(Debug, Args)]
+pub struct Ring {
+    /// Touches: CSV with the columns x_mm,y_mm,z_mm and perhaps spindle_deg, the spindle axis in machine coordinates.
+    file: PathBuf,
+    /// The probe's offset, mm: each touch is moved to the ball's centre, by its spindle angle (0 without the column) and
+    /// the dependent rotation there.
+    #[arg(long, value_name = "OX,OY", value_parser = numbers::<2>, allow_hyphen_values = true)]
+    offset: Option<[f64; 2]>,
+    /// The stylus ball's diameter, mm, added to the circle's: the ring is touched from inside.
+    #[arg(long, value_name = "MM", default_value_t = 6.0)]
+    stylus: f64,
+    /// Touches nearer than half of this are repeats of one place, degrees.
+    #[arg(long, value_name = "DEG", default_value_t = 10.0)]
+    step: f64,
+    /// One JSON document instead of text.
+    #[arg(long)]
+    json: bool,
+    /// Draws the radial deviations (SVG).
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    #[command(flatten)]
+    which: Which,
+}
+
+impl Ring {
+    /// Fits and shows.
+    pub fn run(self) -> Result<(), Failed> {
+        if !(self.step > 0.0 && self.step <= 360.0) {
+            return Err(Failed::Option("step", "expected an angle in degrees"));
+        }
+        if !(self.stylus >= 0.0 && self.stylus.is_finite()) {
+            return Err(Failed::Option("stylus", "expected a diameter in mm"));
+        }
+        let machine = self.which.read()?;
+        let rows = read_rows(&self.file, ["x_mm", "y_mm", "z_mm"], ["spindle_deg"], 1)?;
+        let points: Vec<_> = rows.iter().map(|row| (row.values, row.optional[0].unwrap_or(0.0).to_radians())).collect();
+        let report = ring_report(&machine, &points, self.offset, self.step.to_radians()).map_err(|e| {
+            let line = match e {
+                RingError::Point(at, _) => rows.get(at).map_or(String::new(), |row| format!("line {}: ", row.line)),
+                RingError::Circle(_) => String::new(),
+            };
+            Failed::Points(self.file.clone(), format!("{line}{e}"))
+        })?;
+        picture(self.svg.as_deref(), || Ok(ring_picture(&[("", &report)], "Circular deviation")?))?;
+        print(&if self.json { self.document(&report) } else { self.text(&report) })
+    }
+
+    fn document(&self, report: &RingReport) -> String {
+        let (fit, zone) = (&report.fit, &report.zone);
+        let places = report.spread.iter().map(|(angle, n, mean, std)| {
+            json!({ "angle_deg": angle.to_degrees(), "touches": n, "mean_mm": mean, "std_mm": std })
+        });
+        let document = json!({
+            "touches": report.deviations.len(),
+            "least_squares": {
+                "centre_mm": fit.circle.centre,
+                "path_diameter_mm": 2.0 * fit.circle.radius,
+                "diameter_mm": 2.0 * fit.circle.radius + self.stylus,
+                "roundness_mm": fit.roundness(),
+                "residual_std_mm": fit.residual_std,
+                "standard_uncertainty_mm": {
+                    "centre": [fit.covariance[(0, 0)].sqrt(), fit.covariance[(1, 1)].sqrt()],
+                    "diameter": 2.0 * fit.covariance[(2, 2)].sqrt(),
+                },
+            },
+            "minimum_zone": {
+                "centre_mm": zone.centre,
+                "inner_diameter_mm": 2.0 * zone.inner + self.stylus,
+                "outer_diameter_mm": 2.0 * zone.outer + self.stylus,
+                "roundness_mm": zone.width(),
+            },
+            "places": places.collect::<Vec<_>>(),
+            "largest_std_mm": report.largest_std(),
+        });
+        format!("{document:#}\n")
+    }
+
+    fn text(&self, report: &RingReport) -> String {
+        let (fit, zone) = (&report.fit, &report.zone);
+        let [x, y] = fit.circle.centre;
+        let repeats = match report.largest_std() {
+            Some(std) => format!("largest standard deviation over repeats {:.2} µm\n", 1e3 * std),
+            None => String::new(),
+        };
+        format!(
+            "{} touches\nleast squares: centre ({x:.4}, {y:.4}) mm, diameter {:.4} mm, roundness {:.2} µm\n\
+             minimum zone:  centre ({:.4}, {:.4}) mm, roundness {:.2} µm\n{repeats}",
+            report.deviations.len(),
+            2.0 * fit.circle.radius + self.stylus,
+            1e3 * fit.roundness(),
+            zone.centre[0],
+            zone.centre[1],
+            1e3 * zone.width(),
+        )
+    }
+}

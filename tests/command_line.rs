@@ -1,0 +1,398 @@
+//! The program as a user meets it: what it writes, what it prints, and what it says of bad input.
+
+use serde_json::Value;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+const MODEL: &str = "tilting-table-a";
+const FIT: [&str; 5] = ["fit", MODEL, "--radius", "150", "--json"];
+const RUNS: [&str; 4] = ["--run", "tilting=tilting.csv", "--run", "separation=separation.csv"];
+const TABLE: [&str; 2] = ["--table", "table.csv"];
+
+/// Runs the program in a directory, so that messages name files without it.
+fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    str::from_utf8(bytes).unwrap()
+}
+
+/// Standard output of a run that has to succeed.
+fn succeeds(directory: &Path, arguments: &[&str]) -> String {
+    let output = trunnion(directory, arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+    text(&output.stdout).to_owned()
+}
+
+fn object(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
+
+/// A directory with the files of a simulated machine.
+fn simulated(more: &[&str]) -> TempDir {
+    let directory = tempfile::tempdir().unwrap();
+    let arguments = ["simulate", MODEL, "--radius", "150", "--out", "."];
+    succeeds(directory.path(), &[&arguments[..], more].concat());
+    directory
+}
+
+fn fitted(directory: &Path, more: &[&str]) -> Value {
+    object(&succeeds(directory, &[&FIT[..], &RUNS, &TABLE, more].concat()))
+}
+
+fn points(fit: &Value) -> Vec<[f64; 3]> {
+    let points = fit["functions"][0]["points"].as_array().unwrap();
+    points.iter().map(|p| ["a_deg", "value", "u95"].map(|key| p[key].as_f64().unwrap())).collect()
+}
+
+#[test]
+fn demo_writes_its_figures_and_measurements() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = succeeds(directory.path(), &["demo", "--out", "figures"]);
+    for said in ["k1 ", "Not seen", "largest error", "95 % band", "2.643", "two-step", "joint", "µm (tilting)"] {
+        assert!(out.contains(said), "{said}");
+    }
+    let read = |file: &str| fs::read_to_string(directory.path().join("figures").join(file)).unwrap();
+    for figure in ["fig3.svg", "fig4.svg"] {
+        assert!(read(figure).starts_with("<svg") && read(figure).trim_end().ends_with("</svg>"), "{figure}");
+    }
+    for run in ["tilting.csv", "separation.csv", "table.csv"] {
+        assert_eq!(read(run).lines().count(), 361, "{run}");
+    }
+    assert_eq!(object(&read("truth.json"))["radius_mm"], 150.0);
+    let written = || directory.path().join("figures").read_dir().unwrap().count();
+    assert_eq!(written(), 6);
+    succeeds(directory.path(), &["demo", "--out", "figures"]);
+    assert_eq!(written(), 6, "again into the same directory");
+}
+
+#[test]
+fn derive_prints_every_form() {
+    let here = tempfile::tempdir().unwrap();
+    let emit = |form| succeeds(here.path(), &["derive", MODEL, "--emit", form]);
+    assert_eq!(emit("text"), succeeds(here.path(), &["derive", MODEL]));
+    assert!(emit("latex").contains("\\delta"));
+    assert!(emit("rust").contains("pub fn tilting"));
+    let derived = object(&emit("json"));
+    assert_eq!((&derived["model"], &derived["rank"]), (&Value::from(MODEL), &Value::from(11)));
+    assert_eq!(derived["kernel"].as_array().unwrap().len(), 7, "18 parameters of rank 11");
+}
+
+/// A sum as its signed terms, each with its factors sorted: the order of terms and factors is the printer's own affair.
+fn terms(sum: &str) -> Vec<String> {
+    let spaced = sum.replace(' ', "").replace("**", "^").replace('-', "+-");
+    let term = |t: &str| {
+        let (sign, t) = t.strip_prefix('-').map_or(("", t), |t| ("-", t));
+        let mut factors: Vec<&str> = t.split('*').collect();
+        factors.sort_unstable();
+        format!("{sign}{}", factors.join("*"))
+    };
+    let mut terms: Vec<String> = spaced.split('+').filter(|t| !t.is_empty()).map(term).collect();
+    terms.sort_unstable();
+    terms
+}
+
+#[test]
+fn derive_gives_the_papers_coefficients_and_regressors() {
+    let here = tempfile::tempdir().unwrap();
+    let derived = object(&succeeds(here.path(), &["derive", MODEL, "--emit", "json"]));
+    // Eqs. (7) and (9) with the misprints corrected; w_z1 goes with k8 R, whose regressor is the same.
+    let definitions = [
+        ("k1", "d_yz2 - d_yy2"),
+        ("k2", "-e_xy2"),
+        ("k3", "-e_xy1 - d_zz2 + d_zy2"),
+        ("k4", "d_yz1 + d_zy1 - s_xz"),
+        ("k5", "d_yy1 - d_zz1"),
+        ("k6", "d_yy2*R**2 - o_ya + t_y1"),
+        ("k7", "-d_zy2*R**2 + o_za - t_z1"),
+        ("k8", "w_z1 - d_zy1*R"),
+        ("k9", "d_yy2*R**2 - w_y2 + t_y1"),
+        ("k10", "d_zz2*R**2 - w_z2 + t_z1"),
+        ("k11", "d_zz1"),
+    ];
+    let coefficients = derived["coefficients"].as_array().unwrap();
+    let lumped: Vec<_> = coefficients.iter().filter(|c| c["name"].as_str().unwrap().starts_with('k')).collect();
+    assert_eq!(lumped.len(), definitions.len());
+    for (found, (name, definition)) in lumped.into_iter().zip(definitions) {
+        assert_eq!(found["name"], name);
+        assert_eq!(terms(found["definition"].as_str().unwrap()), terms(definition), "{name}");
+    }
+    let regressors: [(&str, &[(&str, &str)]); 2] = [
+        (
+            "tilting",
+            &[
+                ("e_xa1", "R*a**4 - 2*pi*R*a**3 - 2*pi**2*R*a**2 + 4*pi**3*R*a"),
+                ("e_xa2", "R*a**3 - 3*pi*R*a**2 + 2*pi**2*R*a"),
+                ("k1", "R**2*s**3"),
+                ("k2", "R**3*s**2*c**2"),
+                ("k3", "R**2*s**2*c"),
+                ("k4", "R*s**2"),
+                ("k5", "R*s*c"),
+                ("k6", "s"),
+                ("k7", "c"),
+                ("k8", "1"),
+            ],
+        ),
+        (
+            "separation",
+            &[
+                ("k1", "R**2*s**2*c"),
+                ("k2", "R**3*s*c**3"),
+                ("k3", "R**2*s*c**2"),
+                ("k4", "R*s*c"),
+                ("k5", "R*c**2"),
+                ("k9", "c"),
+                ("k10", "s"),
+                ("k11", "R"),
+            ],
+        ),
+    ];
+    let runs = derived["runs"].as_array().unwrap();
+    assert_eq!(runs.len(), 2);
+    for (run, (name, expected)) in runs.iter().zip(regressors) {
+        assert_eq!(run["name"], name);
+        let found = run["regressors"].as_object().unwrap();
+        assert_eq!(found.len(), expected.len(), "{name}");
+        for (k, regressor) in expected {
+            assert_eq!(terms(found[*k].as_str().unwrap()), terms(regressor), "{name}, {k}");
+        }
+    }
+}
+
+#[test]
+fn what_is_simulated_is_recovered_within_the_band() {
+    // Small errors: what linearisation drops has no part in it.
+    let directory = simulated(&["--seed", "3", "--length-um", "0.03", "--angle-urad", "0.1"]);
+    let truth = object(&fs::read_to_string(directory.path().join("truth.json")).unwrap());
+    let truth = truth["eps_xa"].as_array().unwrap();
+    for estimator in ["joint", "two-step"] {
+        let fit = fitted(directory.path(), &["--estimator", estimator]);
+        assert_eq!((&fit["model"], &fit["estimator"]), (&Value::from(MODEL), &Value::from(estimator)));
+        assert_eq!((&fit["radius_mm"], &fit["warnings"]), (&Value::from(150.0), &Value::Array(Vec::new())));
+        assert!(fit["condition"].as_f64().unwrap() > 1.0);
+        for run in ["tilting", "separation"] {
+            let run = &fit["runs"][run];
+            assert_eq!(run["samples"], 360);
+            // ±0.1 µm uniform has 0.058 µm rms.
+            assert!((0.05..0.065).contains(&run["rms_um"].as_f64().unwrap()), "{run}");
+        }
+        let coefficients = fit["coefficients"].as_array().unwrap();
+        assert_eq!(coefficients.len(), 13);
+        for c in coefficients {
+            assert!(c["name"].is_string() && c["unit"].is_string() && c["value"].is_f64());
+            assert!(c["std"].as_f64().unwrap() > 0.0);
+        }
+        assert_eq!((&fit["functions"][0]["name"], &fit["functions"][0]["unit"]), (&"eps_xa".into(), &"urad".into()));
+        let points = points(&fit);
+        let angles: Vec<f64> = points.iter().map(|p| p[0]).collect();
+        assert_eq!(angles, (0..72).map(|i| f64::from(i) * 5.0).collect::<Vec<_>>());
+        let inside = points.iter().zip(truth).filter(|([a, value, u95], truth)| {
+            assert_eq!(truth["a_deg"], *a);
+            (value - truth["urad"].as_f64().unwrap()).abs() <= *u95 + 1e-9
+        });
+        // Two coefficients make the whole curve: it lies inside nearly everywhere or, one time in ten, is off in a part.
+        let inside = inside.count();
+        assert!(inside >= 68, "{estimator}: {inside} of 72");
+    }
+}
+
+#[test]
+fn a_seed_gives_the_same_files_and_another_seed_others() {
+    let read = |d: &TempDir, file: &str| fs::read(d.path().join(file)).unwrap();
+    let [one, same, other] = ["5", "5", "6"].map(|seed| simulated(&["--seed", seed]));
+    for file in ["tilting.csv", "separation.csv", "table.csv", "truth.json"] {
+        assert_eq!(read(&one, file), read(&same, file), "{file}");
+        assert_ne!(read(&one, file), read(&other, file), "{file}");
+    }
+}
+
+#[test]
+fn warnings_go_to_standard_error_and_into_the_object() {
+    let directory = simulated(&[]);
+    let output = trunnion(directory.path(), &[&FIT[..], &RUNS].concat());
+    assert_eq!(output.status.code(), Some(0));
+    let fit = object(text(&output.stdout));
+    let warnings: Vec<&str> = fit["warnings"].as_array().unwrap().iter().map(|w| w.as_str().unwrap()).collect();
+    assert!(warnings.len() == 2 && warnings[0].contains("dya") && warnings[1].contains("dza"), "{warnings:?}");
+    let said: String = warnings.iter().map(|w| format!("warning: {w}\n")).collect();
+    assert_eq!(text(&output.stderr), said);
+    let arc = simulated(&["--to-deg", "90"]);
+    let output = trunnion(arc.path(), &[&FIT[..], &RUNS, &TABLE].concat());
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stderr).contains("hardly tell"), "{}", text(&output.stderr));
+    let output = trunnion(arc.path(), &["monte-carlo", MODEL, "--radius", "150", "--trials", "3", "--to-deg", "90"]);
+    assert!(text(&output.stderr).contains("hardly tell"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn samples_may_come_in_any_order() {
+    let directory = simulated(&[]);
+    let sorted = fitted(directory.path(), &[]);
+    for file in ["tilting.csv", "separation.csv", "table.csv"] {
+        let path = directory.path().join(file);
+        let read = fs::read_to_string(&path).unwrap();
+        let (header, rest) = read.split_once('\n').unwrap();
+        let mut lines: Vec<&str> = rest.lines().collect();
+        // 7 shares no factor with 360: every line once.
+        lines = (0..lines.len()).map(|i| lines[i * 7 % lines.len()]).collect();
+        fs::write(&path, format!("{header}\n{}\n", lines.join("\n"))).unwrap();
+    }
+    let shuffled = fitted(directory.path(), &[]);
+    for (a, b) in points(&sorted).iter().zip(points(&shuffled)) {
+        assert!((a[1] - b[1]).abs() <= 1e-12 * (1.0 + a[1].abs()), "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn a_weight_moves_the_joint_estimate_only() {
+    let directory = simulated(&[]);
+    let differs = |more: &[&str]| {
+        let plain = fitted(directory.path(), more);
+        let weighted = fitted(directory.path(), &[more, &["--weight", "tilting=4"]].concat());
+        points(&plain).iter().zip(points(&weighted)).map(|(a, b)| (a[1] - b[1]).abs()).fold(0.0, f64::max)
+    };
+    assert!(differs(&["--estimator", "joint"]) > 1e-3);
+    assert!(differs(&["--estimator", "two-step"]) < 1e-9);
+}
+
+#[test]
+fn monte_carlo_depends_on_its_seed_alone() {
+    let here = tempfile::tempdir().unwrap();
+    let run = |seed| {
+        let arguments =
+            ["monte-carlo", MODEL, "--radius", "150", "--trials", "20", "--samples", "36", "--json", "--seed"];
+        object(&succeeds(here.path(), &[&arguments[..], &[seed]].concat()))
+    };
+    assert_eq!(run("1"), run("1"));
+    assert_ne!(run("1"), run("2"));
+    assert_eq!(run("1")["trials"], 20);
+}
+
+/// A bad input: its title, what is done to the directory, the arguments.
+struct Bad<'a> {
+    title: &'a str,
+    files: Vec<(&'a str, String)>,
+    arguments: Vec<&'a str>,
+}
+
+fn fit_of<'a>(title: &'a str, files: Vec<(&'a str, String)>) -> Bad<'a> {
+    Bad { title, files, arguments: [&FIT[..], &RUNS, &TABLE].concat() }
+}
+
+fn with<'a>(title: &'a str, arguments: &[&'a str]) -> Bad<'a> {
+    Bad { title, files: Vec::new(), arguments: arguments.to_vec() }
+}
+
+/// A run of 24 samples, each line as `line` makes it from its angle and its text.
+fn run_file(header: &str, line: impl Fn(i32, String) -> String) -> String {
+    let lines = (0..24).map(|i| line(i, format!("{},{}.5", i * 15, i % 7)));
+    format!("{header}\n{}\n", lines.collect::<Vec<_>>().join("\n"))
+}
+
+fn bad_inputs<'a>() -> Vec<Bad<'a>> {
+    let tilting = |file: String| vec![("tilting.csv", file)];
+    let both = |file: String| vec![("tilting.csv", file.clone()), ("separation.csv", file)];
+    let at_line = |n: i32, bad: &'static str| {
+        run_file("a_deg,dr_um", move |i, line| if i + 2 == n { bad.to_owned() } else { line })
+    };
+    let angles = |of: &dyn Fn(i32) -> f64| run_file("a_deg,dr_um", |i, _| format!("{:?},{}.5", of(i), i % 7));
+    let radius = |title, value| with(title, &[&["fit", MODEL, "--radius", value][..], &RUNS, &TABLE].concat());
+    let given = |title, runs: &[&'a str]| with(title, &[&FIT[..], runs, &TABLE].concat());
+    let more = |title, more: &[&'a str]| with(title, &[&FIT[..], &RUNS, &TABLE, more].concat());
+    let simulate = |title, more: &[&'a str]| with(title, &[&["simulate", MODEL, "--radius", "150"][..], more].concat());
+    let [separation, tilting_run] = ["separation=separation.csv", "tilting=tilting.csv"];
+    vec![
+        given("missing file", &["--run", "tilting=none.csv", "--run", separation]),
+        given("directory for a file", &["--run", "tilting=.", "--run", separation]),
+        fit_of("missing column", tilting(run_file("a_deg", |i, _| i.to_string()))),
+        fit_of("unknown column", tilting(run_file("a_deg,dr_um,load", |_, line| line + ",1"))),
+        fit_of("missing unit", tilting(run_file("a,dr_um", |_, line| line))),
+        fit_of("wrong unit", tilting(run_file("a_deg,dr_urad", |_, line| line))),
+        fit_of("NaN", tilting(at_line(9, "105,NaN"))),
+        fit_of("infinite", tilting(at_line(3, "15,-inf"))),
+        fit_of("text in a number", tilting(at_line(25, "345,0.5um"))),
+        fit_of("duplicate angle", tilting(at_line(7, "15.0,0.2"))),
+        fit_of("too few samples", tilting("a_deg,dr_um\n0,1\n90,2\n180,3\n".to_owned())),
+        fit_of("empty file", tilting(String::new())),
+        fit_of("cut short", tilting("a_deg,dr_um\n0,1.0\n90".to_owned())),
+        fit_of("absolute lengths", tilting(run_file("a_deg,dr_mm", |i, _| format!("{},150.00{i}", i * 15)))),
+        fit_of("micrometres called mm", tilting(run_file("a_deg,dr_mm", |i, _| format!("{},2{i}.5", i * 15)))),
+        fit_of("degrees called radians", tilting(run_file("a_rad,dr_um", |_, line| line))),
+        fit_of("an arc of 1e-6 degrees", both(angles(&|i| f64::from(i) * 1e-6 / 24.0))),
+        fit_of("four places in six turns", both(angles(&|i| f64::from(i) * 90.0))),
+        given("run twice", &["--run", tilting_run, "--run", tilting_run, "--run", separation]),
+        given("run not given", &["--run", tilting_run]),
+        given("unknown run", &["--run", tilting_run, "--run", separation, "--run", "third=tilting.csv"]),
+        given("run without a file", &["--run", "tilting", "--run", separation]),
+        with("unknown model", &[&["fit", "tilting-table-z", "--radius", "150"][..], &RUNS].concat()),
+        with("directory for a model", &[&["fit", ".", "--radius", "150"][..], &RUNS].concat()),
+        with("data for a model", &[&["fit", "table.csv", "--radius", "150"][..], &RUNS].concat()),
+        with("unknown model to derive", &["derive", "tilting-table-z"]),
+        radius("radius 0", "0"),
+        radius("radius negative", "-150"),
+        radius("radius NaN", "NaN"),
+        radius("radius 1e9", "1e9"),
+        radius("radius in metres", "0.15"),
+        radius("radius in words", "long"),
+        more("bad weight", &["--weight", "tilting=0"]),
+        more("weight without a number", &["--weight", "tilting"]),
+        more("weight beyond use", &["--weight", "tilting=1e300"]),
+        more("weight of an unknown run", &["--weight", "third=2"]),
+        more("weight twice", &["--weight", "tilting=2", "--weight", "tilting=3"]),
+        more("the bar's length twice", &["--set", "R=200"]),
+        more("length of nothing", &["--set", "H=200"]),
+        more("length without a number", &["--set", "H"]),
+        fit_of("table not covering the run", vec![("table.csv", "a_deg,dya_um,dza_um\n0,0,0\n100,1,1\n".to_owned())]),
+        fit_of("table with a missing column", vec![("table.csv", "a_deg,dya_um\n0,0\n360,1\n".to_owned())]),
+        fit_of("table with two values", vec![("table.csv", "a_deg,dya_um,dza_um\n0,0,0\n0,1,0\n360,1,1\n".to_owned())]),
+        more("missing table", &["--table", "none.csv"]).last_of("--table"),
+        simulate("--out is a file", &["--out", "table.csv"]),
+        simulate("--out under a file", &["--out", "table.csv/there"]),
+        with("--out of demo is a file", &["demo", "--out", "table.csv"]),
+        simulate("no samples", &["--out", "new", "--samples", "0"]),
+        simulate("noise NaN", &["--out", "new", "--noise-um", "NaN"]),
+        simulate("range backwards", &["--out", "new", "--from-deg", "90", "--to-deg", "10"]),
+        with("Monte Carlo of too few samples", &["monte-carlo", MODEL, "--radius", "150", "--samples", "4"]),
+        with("Monte Carlo of too short an arc", &["monte-carlo", MODEL, "--radius", "150", "--to-deg", "1e-6"]),
+    ]
+}
+
+impl Bad<'_> {
+    /// Keeps only the last of an option given twice.
+    fn last_of(mut self, option: &str) -> Self {
+        if let Some(at) = self.arguments.iter().position(|a| *a == option) {
+            self.arguments.drain(at..at + 2);
+        }
+        self
+    }
+}
+
+#[test]
+fn bad_input_is_refused_with_file_line_and_remedy() {
+    let good = simulated(&["--samples", "24"]);
+    let mut said = String::new();
+    for Bad { title, files, arguments } in bad_inputs() {
+        let directory = tempfile::tempdir().unwrap();
+        for file in ["tilting.csv", "separation.csv", "table.csv"] {
+            fs::copy(good.path().join(file), directory.path().join(file)).unwrap();
+        }
+        for (file, contents) in files {
+            fs::write(directory.path().join(file), contents).unwrap();
+        }
+        let output = trunnion(directory.path(), &arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{title}: {message}");
+        assert!(output.stdout.is_empty(), "{title}: {}", text(&output.stdout));
+        assert!(message.starts_with("error: ") && message.lines().count() > 1, "{title}: no remedy in {message}");
+        assert!(!message.contains("panicked"), "{title}: {message}");
+        assert_eq!(directory.path().read_dir().unwrap().count(), 3, "{title}: something is left behind");
+        let _ = writeln!(said, "## {title}\n{}\n", message.trim_end());
+    }
+    insta::with_settings!({ snapshot_path => "../snapshots", prepend_module_to_snapshot => false, omit_expression => true }, {
+        insta::assert_snapshot!("bad_input", said);
+    });
+}
