@@ -196,8 +196,8 @@ fn an_arc_too_short_is_warned_of_by_name() {
     let named = |set: &str, estimator| {
         let (report, _) = Set::read(set).report(estimator);
         report.warnings.into_iter().find_map(|w| match w {
-            Warning::HardlySeparated { names, condition } => Some((names, condition)),
-            Warning::TakenAsZero { .. } => None,
+            Warning::HardlySeparated { names, condition, whole_turn: false } => Some((names, condition)),
+            _ => None,
         })
     };
     for (estimator, key) in ESTIMATORS {
