@@ -249,6 +249,7 @@ fn bad_runs() {
         ("header only", b"a_deg,dr_um\n".into()),
         ("absolute lengths", b"a_deg,dr_mm\n0,150.021\n10,150.019\n20,149.9\n".into()),
         ("absolute lengths in um", b"a_deg,dr_um\n0,150021\n10,150019\n".into()),
+        ("one stray reading", b"a_deg,dr_um\n0,20.5\n10,-21.5e6\n20,22\n".into()),
         ("um as mm", b"a_deg,dr_mm\n0,20.5\n10,-21.5\n20,22\n".into()),
     ];
     let mut said = String::new();

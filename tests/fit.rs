@@ -327,7 +327,7 @@ fn the_cost_of_no_table_is_what_the_worst_table_does() {
                     assert_eq!((*unit, costs[0].0.as_str(), costs[0].1, costs.len()), ("um", "eps_xa", "urad", 1));
                     Some((known.as_str(), costs[0].2))
                 }
-                Warning::HardlySeparated { .. } => None,
+                _ => None,
             })
             .collect();
         assert_eq!(costs.iter().map(|(n, _)| *n).collect::<Vec<_>>(), ["dya", "dza"], "{key}");

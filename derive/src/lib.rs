@@ -1,1 +1,91 @@
 //! Macros that turn a user's own machine into a generated, `no_std` measurement model.
+//!
+//! The crate that uses [`Machine`] needs `trunnion-solver` and nothing else; enable its feature `derive`.
+
+mod machine;
+mod parse;
+mod places;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{DeriveInput, parse_macro_input};
+use trunnion_codegen::{emit, problems};
+
+/// Derives the measurement model of a machine whose axes are the struct's fields.
+///
+/// Fields stand from the machine's base outwards, on the workpiece's side or the tool's; an axis is called after its
+/// field, in capitals. What the attributes say is what a model file says (`docs/model-file.md`), expressions as texts.
+///
+/// ```
+/// use trunnion_solver::lstsq::Factor;
+/// use trunnion_solver::{Machine, nalgebra::SVector};
+///
+/// /// A rotary table and the bar that is held against it.
+/// #[derive(Machine)]
+/// #[machine(constants(R), estimate(EXC))]
+/// #[run(
+///     along_x,
+///     sweep = "c",
+///     at(C = "c"),
+///     workpiece_ball(setup(w_x, w_y, w_z)),
+///     tool_ball(at("R", "0", "0"), setup(t_x, t_y, t_z)),
+///     bar = "R"
+/// )]
+/// #[function(EXC = polynomial(4, "f(0) = 0", "f(2*pi) = f(0)"))]
+/// pub struct Table {
+///     /// Angle of the table, rad.
+///     #[workpiece(rotary = "z", location(EX0C, EY0C))]
+///     pub c: f64,
+/// }
+///
+/// const COLUMNS: usize = Table::NAMES.len();
+/// let mut fit = Factor::<f64, COLUMNS>::new();
+/// for i in 0..60 {
+///     let c = f64::from(i) * 0.1;
+///     let row = Table::along_x(150.0, c);
+///     let mut all = SVector::<f64, COLUMNS>::zeros();
+///     for (at, value) in Table::ALONG_X.into_iter().zip(row) {
+///         all[at] = value;
+///     }
+///     fit.push(&all, 0.001 * c.sin())?;
+/// }
+/// assert_eq!(Table::NAMES[0], "EXC1");
+/// assert!(fit.solve()?.coefficients[0].abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// The type has
+///
+/// - `NAMES`: the base parameters, the estimated functions' coefficients first;
+/// - for every run a constant (`ALONG_X`), the positions in `NAMES` of what it sees, and a function
+///   (`Table::along_x(r, c)`) that gives their regressors at one value of the sweep, mm, and, where the model has known
+///   functions, those functions' factors;
+/// - for every estimated function its basis (`Table::exc(r, c)`).
+///
+/// All of it is generic over the float and needs neither `std` nor a heap.
+#[proc_macro_derive(Machine, attributes(machine, run, function, workpiece, tool))]
+pub fn machine(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let input = parse_macro_input!(input as DeriveInput);
+    expand(&input).unwrap_or_else(syn::Error::into_compile_error).into()
+}
+
+fn expand(input: &DeriveInput) -> syn::Result<TokenStream> {
+    let (draft, places) = machine::Reader::read(input)?;
+    let told = |problems: Vec<trunnion_codegen::model::Problem>| {
+        let errors = problems.iter().map(|p| places.error(p));
+        let all = errors.reduce(|mut all, e| {
+            all.combine(e);
+            all
+        });
+        all.unwrap_or_else(|| syn::Error::new(input.ident.span(), "this machine is refused"))
+    };
+    let model = draft.build().map_err(told)?;
+    let derivation = problems::derivation(&model).map_err(told)?;
+    let items = emit::model::rust_items(&model, &derivation, &quote!(::trunnion_solver::num_traits))
+        .map_err(|e| syn::Error::new(input.ident.span(), e))?;
+    let name = &input.ident;
+    Ok(quote!(impl #name { #items }))
+}
+
+#[cfg(test)]
+mod same;

@@ -9,3 +9,9 @@ pub mod tilting;
 pub mod trig;
 
 pub use lstsq::Real;
+/// The crates that generated code and its callers speak in.
+pub use {nalgebra, num_traits};
+
+/// Derives the measurement model of a user's own machine.
+#[cfg(feature = "derive")]
+pub use trunnion_derive::Machine;

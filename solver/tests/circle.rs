@@ -9,7 +9,10 @@ fn number(value: &Value) -> f64 {
     value.as_str().unwrap().parse().unwrap()
 }
 
-fn sets() -> Vec<(String, Vec<[f64; 2]>, [f64; 2], f64)> {
+/// Name, points, centre and diameter.
+type Set = (String, Vec<[f64; 2]>, [f64; 2], f64);
+
+fn sets() -> Vec<Set> {
     let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/circle");
     let files = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
     let sets = files.map(|file| {
@@ -74,8 +77,9 @@ fn what_has_no_circle() {
 /// Points near a circle, all along an arc that need not be whole.
 fn ring() -> impl Strategy<Value = Vec<[f64; 2]>> {
     let points = prop::collection::vec((0.0..1.0, -1.0..1.0), 5..60);
-    let sizes = (90.0..360.0, -900.0..900.0, 1.0..200.0, 1e-6..1e-3);
-    (points, sizes).prop_map(|(points, (arc, at, radius, form)): (Vec<(f64, f64)>, (f64, f64, f64, f64))| {
+    let sizes = [90.0..360.0, -900.0..900.0, 1.0..200.0, 1e-6..1e-3];
+    (points, sizes).prop_map(|(points, sizes): (Vec<(f64, f64)>, [f64; 4])| {
+        let [arc, at, radius, form] = sizes;
         let n = points.len() as f64;
         let place = |(k, (jitter, deviation)): (usize, &(f64, f64))| {
             let (angle, r) = (((k as f64 + jitter) / n * arc).to_radians(), radius * (1.0 + form * deviation));

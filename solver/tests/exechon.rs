@@ -96,6 +96,25 @@ fn the_paper_s_rings_are_turned_by_16_32_degrees() {
     assert!((between.to_degrees() - -16.32).abs() < 0.005);
 }
 
+#[test]
+fn a_carried_rotation_restores_the_carried_orientation() {
+    use nalgebra::{Rotation3, Vector3};
+    let machine = machine();
+    let home = machine.home();
+    for (tag, pose) in [("tilt10_az30", 7), ("tilt20_az225", 10)] {
+        let pose = &reference()["poses"][pose];
+        assert_eq!(pose["tag"], tag);
+        let target = Target::new(vector(&pose["pt"]), vector(&pose["t"])).unwrap();
+        let found = machine.inverse(&target, &home.start()).unwrap();
+        let phi = machine.dependent_rotation(&found, Tilted::Carried).unwrap();
+        let [x_a, y_a, t] = found.spindle.map(Vector3::from);
+        let turned = x_a * phi.cos() + y_a * phi.sin();
+        let carry = Rotation3::rotation_between(&Vector3::from(*home.direction()), &t).unwrap();
+        assert!((turned - carry * Vector3::from(home.spindle[0])).norm() < 1e-14);
+        assert!((phi - machine.dependent_rotation(&found, Tilted::Projected).unwrap()).abs() > 1e-3);
+    }
+}
+
 /// A pose of the workspace: the platform where the struts are within their strokes, the axes anywhere but at A = 0.
 fn workspace() -> impl Strategy<Value = (Joints<f64>, [f64; 3])> {
     let place = (-700.0..700.0, -700.0..700.0, 700.0..1650.0);

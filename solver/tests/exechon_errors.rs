@@ -49,7 +49,7 @@ fn what_is_no_target() {
     assert_eq!(infinite, Err(TargetError::NotFinite(Input::Direction)));
     assert_eq!(Target::new(point, [0.0; 3]), Err(TargetError::ZeroDirection));
     assert_eq!(Target::new(point, [0.0, 0.0, 2.0]), Err(TargetError::NotUnit { norm: 2.0 }));
-    assert!(matches!(Target::new(point, [0.0, 0.7071, 0.7071]), Err(TargetError::NotUnit { .. })));
+    assert!(matches!(Target::new(point, [0.0, 0.6, 0.79999]), Err(TargetError::NotUnit { .. })));
 }
 
 #[test]
@@ -65,6 +65,27 @@ fn beyond_a_limit_says_which_and_by_how_much() {
     let error = machine().forward(&joints, &machine().home().start()).unwrap_err();
     assert_eq!(error, KinematicsError::OutOfRange { limit: Limit::A, value: 2.0, bound: 90f64.to_radians() });
     assert_eq!(error.to_string(), "the A axis would be at 114.592°, 24.592° above its limit of 90.000°");
+}
+
+#[test]
+fn each_limit_is_held() {
+    let machine = machine();
+    let within = Joints { struts: [1300.0, 1310.0, 1320.0], a: -0.7, c: 0.2 };
+    assert!(machine.forward(&within, &machine.home().start()).is_ok());
+    type Change = fn(&mut Joints<f64>) -> &mut f64;
+    let all: [(Change, Limit, f64, f64); 5] = [
+        (|j| &mut j.struts[0], Limit::Strut1, 900.0, 950.0),
+        (|j| &mut j.struts[1], Limit::Strut2, 1700.0, 1650.0),
+        (|j| &mut j.struts[2], Limit::Strut3, 900.0, 950.0),
+        (|j| &mut j.a, Limit::A, -2.0, -90f64.to_radians()),
+        (|j| &mut j.c, Limit::C, 5.0, 270f64.to_radians()),
+    ];
+    for (change, limit, value, bound) in all {
+        let mut joints = within;
+        *change(&mut joints) = value;
+        let error = machine.forward(&joints, &machine.home().start()).unwrap_err();
+        assert_eq!(error, KinematicsError::OutOfRange { limit, value, bound });
+    }
 }
 
 #[test]

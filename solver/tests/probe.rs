@@ -16,7 +16,8 @@ fn touch(angle: f64, turned: f64, centre: [f64; 2]) -> Touch<f64> {
 fn reversal([ox, oy]: [f64; 2]) -> Reversal<f64> {
     let centre = [-0.625 - ox, 200.914 - oy];
     let along = |across: f64| (RADIUS * RADIUS - 4.0 * across * across).sqrt();
-    Reversal { centre, x: centre[0] + 2.0 * ox + along(oy), y: centre[1] + 2.0 * oy + along(ox), radius: RADIUS }
+    let x = [centre[0] + 2.0 * ox + along(oy), centre[1]];
+    Reversal { centre, x, y: [centre[0], centre[1] + 2.0 * oy + along(ox)], radius: RADIUS }
 }
 
 #[test]
@@ -31,6 +32,14 @@ fn the_reversal_gives_the_offset_exactly() {
             assert!((dropped - across * across / RADIUS).abs() < 0.02 * across * across / RADIUS + 1e-13, "{dropped}");
         }
     }
+    // Touches beside the lines through p1 are as good.
+    let at = reversal(OFFSET);
+    let turned = |angle: f64| {
+        let ball = [at.centre[0] + 2.0 * OFFSET[0], at.centre[1] + 2.0 * OFFSET[1]];
+        [ball[0] + RADIUS * angle.cos(), ball[1] + RADIUS * angle.sin()]
+    };
+    let found = Reversal { x: turned(0.1), y: turned(1.7), ..at }.exact().unwrap();
+    assert!((found[0] - OFFSET[0]).abs() < 1e-13 && (found[1] - OFFSET[1]).abs() < 1e-13, "{found:?}");
     let dropped = OFFSET[0] - reversal(OFFSET).small_angle()[0];
     assert!((1.4e-3..2.7e-3).contains(&dropped), "the corrections name 1.5 to 2.6 µm: {dropped}");
 }
@@ -48,8 +57,8 @@ fn the_reversal_s_covariance_is_that_of_its_derivatives() {
         [up[0] - down[0], up[1] - down[1]].map(|difference| difference / 2e-5)
     };
     let parts = [
-        (changed(&|r, h| r.x += h), 1.5 * touch * touch),
-        (changed(&|r, h| r.y += h), 1.5 * touch * touch),
+        (changed(&|r, h| r.x[0] += h), 1.5 * touch * touch),
+        (changed(&|r, h| r.y[1] += h), 1.5 * touch * touch),
         (changed(&|r, h| r.radius += h), radius * radius),
     ];
     let covariance = at.covariance(touch, radius).unwrap();
@@ -94,6 +103,6 @@ fn touches_without_an_offset_to_find() {
     assert_eq!(offset(&[nan; 6], 1e-4).unwrap_err(), ProbeError::NotFinite);
     let at = reversal(OFFSET);
     assert_eq!(Reversal { radius: 0.0, ..at }.exact(), Err(ProbeError::Radius));
-    assert_eq!(Reversal { x: f64::NAN, ..at }.exact(), Err(ProbeError::NotFinite));
-    assert_eq!(Reversal { x: 500.0, ..at }.exact(), Err(ProbeError::BeyondRing));
+    assert_eq!(Reversal { x: [f64::NAN, 0.0], ..at }.exact(), Err(ProbeError::NotFinite));
+    assert_eq!(Reversal { x: [500.0, 0.0], ..at }.exact(), Err(ProbeError::BeyondRing));
 }

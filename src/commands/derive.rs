@@ -6,7 +6,8 @@ use super::{Refused, print};
 use clap::{Args, ValueEnum};
 use trunnion::data::Radius;
 use trunnion::study::Setup;
-use trunnion_codegen::emit::{equations, model};
+use trunnion_codegen::emit::c::Real;
+use trunnion_codegen::emit::{c99, equations, model};
 use trunnion_codegen::identify::derive;
 
 /// Arguments of `derive`.
@@ -38,6 +39,10 @@ enum Emit {
     Latex,
     /// Regressors as Rust for `core` and `num-traits`.
     Rust,
+    /// Regressors and a streaming solver as C99, in one file.
+    C,
+    /// Regressors as a Python module on NumPy.
+    Numpy,
     /// Everything for a program.
     Json,
 }
@@ -60,6 +65,8 @@ impl Derive {
             Emit::Text => equations::text(&description, &derivation) + &predicted,
             Emit::Latex => equations::latex(&description, &derivation),
             Emit::Rust => model::rust_source(&description, &derivation)?,
+            Emit::C => c99::sources(&description, &derivation, Real::Double)?.single(),
+            Emit::Numpy => model::numpy_source(&description, &derivation)?,
             Emit::Json => format!("{:#}\n", equations::json(&description, &derivation)),
         })
     }

@@ -2,11 +2,13 @@
 
 use super::Refused;
 use clap::Args;
+use std::io::IsTerminal;
 use std::path::Path;
 use trunnion::data::Radius;
 use trunnion::study::Setup;
 use trunnion_codegen::catalogue;
-use trunnion_codegen::model::{Model, Problem, ReadingKind, read};
+use trunnion_codegen::model::{Model, ReadingKind};
+use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
 /// Place and text of a model by its catalogue name or from a file.
 pub fn source(name: &str) -> Result<(String, String), Refused> {
@@ -29,17 +31,9 @@ pub fn source(name: &str) -> Result<(String, String), Refused> {
 /// Reads a model by its catalogue name or from a file.
 pub fn load(name: &str) -> Result<Model, Refused> {
     let (place, source) = source(name)?;
-    read(&source).map_err(|problems| Refused::Model(listed(&place, &source, &problems)))
-}
-
-/// All problems of a model file, a line each.
-fn listed(place: &str, source: &str, problems: &[Problem]) -> String {
-    let one = |p: &Problem| {
-        let line = source.get(..p.span.start).map_or(1, |before| before.matches('\n').count() + 1);
-        let help = p.kind.help().map(|h| format!("\n  {h}")).unwrap_or_default();
-        format!("{place}:{line}: {}{help}", p.kind)
-    };
-    problems.iter().map(one).collect::<Vec<_>>().join("\n")
+    let colour = if std::io::stderr().is_terminal() { Colour::On } else { Colour::Off };
+    let derived = read_and_derive(&source);
+    Ok(derived.map_err(|problems| Refused::Model(render(&place, &source, &problems, colour)))?.0)
 }
 
 /// A model and the lengths of its set-up.
@@ -69,7 +63,7 @@ impl ModelArguments {
 
 /// Every length of the set-up that is given: the bar's, and those of `--set`.
 pub fn lengths(model: &Model, radius: Radius, given: &[String]) -> Result<Vec<(String, f64)>, Refused> {
-    let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(&model, &r.reading)).collect();
+    let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(model, &r.reading)).collect();
     let mut values: Vec<(String, f64)> = Vec::new();
     for given in given {
         let pair = given.split_once('=').and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
@@ -96,7 +90,7 @@ pub fn has_bar(model: &Model) -> bool {
     model.runs.iter().any(|r| bar(model, &r.reading).is_some())
 }
 
-/// The constant that is the length of a run's bar.
+/// The constant that is a run's bar.
 fn bar(model: &Model, reading: &ReadingKind) -> Option<String> {
     match reading {
         ReadingKind::BarLength(id) => Some(model.alphabet.nominal_name(*id)),

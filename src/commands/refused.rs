@@ -8,8 +8,8 @@ use trunnion::plot::PlotError;
 use trunnion::study::{FitError, LARGEST, Setup, SetupError};
 use trunnion_codegen::graph::Unbound;
 use trunnion_codegen::identify::DeriveError;
-use trunnion_codegen::measurement::{Length, ReadingError};
-use trunnion_codegen::model::Model;
+use trunnion_codegen::model::{Model, Problem};
+use trunnion_codegen::problems::of_derivation;
 
 /// Why a command was refused.
 #[derive(Debug, Error)]
@@ -32,7 +32,7 @@ pub enum Refused {
     NoSuchModel(String, String),
     #[error("{file}: {problem}\n  expected a model file or one of {names}", file = .0.display(), problem = .1, names = .2)]
     Unreadable(PathBuf, io::ErrorKind, String),
-    #[error("{0}")]
+    #[error("this model cannot be used\n{0}")]
     Model(String),
     #[error("{0}")]
     Setup(String),
@@ -128,37 +128,9 @@ impl Refused {
 }
 
 fn derive(model: &Model, e: &DeriveError) -> String {
-    let run = |i: &usize| model.runs[*i].name.as_str();
-    let printer = trunnion_codegen::emit::equations::Printer {
-        alphabet: &model.alphabet,
-        style: trunnion_codegen::emit::equations::Style::Plain,
+    let told = |p: &Problem| match p.kind.help() {
+        Some(help) => format!("{}\n  {help}", p.kind),
+        None => p.kind.to_string(),
     };
-    match e {
-        DeriveError::Reading(i, ReadingError::NotTogether(length) | ReadingError::NotTheBar(length)) => {
-            let length = match length {
-                Length::Exactly(p) => printer.poly(p),
-                Length::RootOf(p) => format!("sqrt({})", printer.poly(p)),
-            };
-            format!(
-                "run {}: the balls are {length} apart, not the bar's length\n  mend the path or the balls so that the nominal distance is constant",
-                run(i)
-            )
-        }
-        DeriveError::Reading(i, ReadingError::Algebra(e)) => format!("run {}: {e}", run(i)),
-        DeriveError::NoBasis(missing) => {
-            let name = |(i, e, _): &(usize, trunnion_codegen::algebra::ErrorId, trunnion_codegen::algebra::Poly)| {
-                format!("{} (run {})", model.alphabet.error_name(*e), run(i))
-            };
-            let names: Vec<String> = missing.iter().map(name).collect();
-            format!(
-                "nothing is assumed of {}\n  give each a basis, \"known\" or \"zero\" under [function]",
-                names.join(", ")
-            )
-        }
-        DeriveError::UnknownParameter(at) => {
-            let name = model.order.get(*at).map_or("?", |t| t.value.as_str());
-            format!("`{name}` in `order` is no parameter of these runs")
-        }
-        DeriveError::Algebra(e) => e.to_string(),
-    }
+    of_derivation(model, e).iter().map(told).collect::<Vec<_>>().join("\n")
 }

@@ -298,6 +298,14 @@ pub enum FieldProblem {
         /// Where it stands first.
         first: u64,
     },
+    /// A single reading that no ball-bar gives.
+    #[error(
+        "a reading of {reading_mm} mm is beyond the stroke of a ball-bar, about ±1 mm\n  remove the line if it is a slip of the file or of the measurement"
+    )]
+    BeyondStroke {
+        /// The reading, mm.
+        reading_mm: f64,
+    },
     /// A table's node with two different values.
     #[error("the angle {} has another value of {function} on line {first}\n  expected one value for an angle: remove one of the lines", Degrees(*.angle_rad))]
     TwoValues {

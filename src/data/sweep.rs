@@ -46,7 +46,7 @@ impl Sweep {
     /// # Errors
     /// [`FileError`] where the file cannot be read or is no such file; where an angle comes twice (repeated sweeps are
     /// files of their own) or is beyond ten turns; where there are fewer than `least` samples; where the readings are absolute lengths or
-    /// otherwise beyond a ball-bar's stroke (median beyond 2 mm).
+    /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
         Self::read_column(file, angle, READING, &[], radius, least)
     }
@@ -148,7 +148,11 @@ fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [St
     }
     let median_mm = median(samples.iter().map(|sample| sample.reading_mm.abs()).collect())?;
     if median_mm <= BEYOND_STROKE_MM {
-        None
+        let stray = samples.iter().filter(|sample| sample.reading_mm.abs() > BEYOND_STROKE_MM).map(|sample| {
+            LineProblem { line: sample.line, problem: FieldProblem::BeyondStroke { reading_mm: sample.reading_mm } }
+        });
+        let stray: Vec<LineProblem> = stray.collect();
+        (!stray.is_empty()).then_some(Problem::Lines(stray))
     } else if (median_mm - radius.mm()).abs() <= BEYOND_STROKE_MM.max(radius.mm() / 100.0) {
         Some(Problem::AbsoluteLengths { median_mm, near_mm: median_mm.round(), radius_mm: radius.mm() })
     } else {

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use trunnion_solver::exechon::{Machine, Pose};
 
 /// Cells of a map along each axis.
-const CELLS: usize = 61;
+const CELLS: usize = 41;
 
 fn line(name: &str, tone: Tone, points: Vec<(f64, f64)>) -> Series {
     Series { name: name.to_owned(), tone, shape: Shape::Line(points) }
@@ -18,13 +18,11 @@ fn line(name: &str, tone: Tone, points: Vec<(f64, f64)>) -> Series {
 /// [`PlotError`].
 pub fn machine_picture(machine: &Machine<f64>, pose: &Pose<f64>, title: &str) -> Result<String, PlotError> {
     let mut series = Vec::new();
-    for (seen, name, dashed) in [(machine.home(), "home", true), (pose, "pose", false)] {
-        for (part, tone, points) in parts(machine, seen) {
-            let name = if part.is_empty() { String::new() } else { format!("{part}, {name}") };
-            let shape = if dashed { Shape::Dashed(points) } else { Shape::Line(points) };
-            series.push(Series { name, tone, shape });
-        }
+    for (part, tone, points) in parts(machine, machine.home()) {
+        let name = if part == "struts" { "at home" } else { "" };
+        series.push(Series { name: name.to_owned(), tone, shape: Shape::Dashed(points) });
     }
+    series.extend(parts(machine, pose).into_iter().map(|(part, tone, points)| line(part, tone, points)));
     let d = machine.dimensions();
     let label = |text: &str, at| Label { text: text.to_owned(), at };
     let labels = vec![label("U1", (-d.xu, 0.0)), label("U3", (d.xu, 0.0)), label("S2", (0.0, 0.0))];

@@ -125,7 +125,7 @@ fn surface(feature: &Feature) -> Vec<([f64; 3], [f64; 3])> {
         Feature::Plane { centre, side, touches } => {
             let place = |k: u32| side * (f64::from(k) / f64::from(touches - 1) - 0.5);
             // To and fro, so that the ways between touches are short.
-            let column = |i: u32| (0..touches).map(move |k| (i, if i % 2 == 0 { k } else { touches - 1 - k }));
+            let column = |i: u32| (0..touches).map(move |k| (i, if i.is_multiple_of(2) { k } else { touches - 1 - k }));
             let point = |(i, k)| ([centre[0] + place(i), centre[1] + place(k), centre[2]], TOWARDS_SPINDLE);
             (0..touches).flat_map(column).map(point).collect()
         }

@@ -22,7 +22,7 @@ pub const INCLUDES: &str = "#include <math.h>\n";
 /// A function of one output calls it `out`. C has no empty arrays: an output without elements is left out.
 #[must_use]
 pub fn function(function: &Function, real: Real) -> String {
-    let names = Names::new(function, Rules { lower_case: false, places: true, reserved: RESERVED });
+    let names = Names::new(function, RULES);
     let writer = Writer { program: &function.program, names: &names, dialect: real };
     let kind = real.name();
     let mut text = String::from("/*\n");
@@ -60,6 +60,17 @@ pub fn function(function: &Function, real: Real) -> String {
     text
 }
 
+/// The names of a printed function's inputs.
+pub(super) fn inputs(function: &Function) -> Vec<String> {
+    Names::new(function, RULES).inputs
+}
+
+/// A name as C allows it.
+pub(super) fn identifier(wanted: &str) -> String {
+    let name = RULES.sanitised(wanted);
+    if RESERVED.contains(&name.as_str()) { name + "_" } else { name }
+}
+
 fn places(name: &str, shape: Shape) -> Vec<String> {
     match shape {
         Shape::Scalar => vec![format!("*{name}")],
@@ -71,10 +82,14 @@ fn places(name: &str, shape: Shape) -> Vec<String> {
 }
 
 impl Real {
-    fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
+        self.pick("double", "float")
+    }
+
+    pub(super) fn pick(self, double: &'static str, float: &'static str) -> &'static str {
         match self {
-            Real::Double => "double",
-            Real::Float => "float",
+            Real::Double => double,
+            Real::Float => float,
         }
     }
 }
@@ -100,6 +115,8 @@ impl Dialect for Real {
         }
     }
 }
+
+const RULES: Rules = Rules { lower_case: false, places: true, reserved: RESERVED };
 
 /// Keywords, the functions that are called, and the math library's short names that compilers warn about.
 const RESERVED: &[&str] = &[

@@ -5,6 +5,7 @@
 //! [`Program`](crate::graph::Program), in that order, so that all languages round alike but for their sine and cosine.
 
 pub mod c;
+pub mod c99;
 mod code;
 pub mod equations;
 mod function;

@@ -1,7 +1,7 @@
 //! A derivation as functions to compile or to evaluate: one per run, one per estimated function.
 
 use super::function::{Function, Output};
-use super::{c, header, numpy, rust};
+use super::{header, numpy, rust};
 use crate::algebra::{Alphabet, Fraction, Nominal, Poly, SweepId};
 use crate::basis::Basis;
 use crate::graph::{Graph, Id, Unbound};
@@ -102,27 +102,6 @@ pub fn rust_items(model: &Model, derivation: &Derivation, num_traits: &TokenStre
         #(#runs)*
         #(#functions)*
     })
-}
-
-/// The model as C99: names, what each run sees, the functions.
-///
-/// # Errors
-/// As [`functions`].
-pub fn c_source(model: &Model, derivation: &Derivation, real: c::Real) -> Result<String, Unbound> {
-    let quoted: Vec<String> = derivation.base.iter().map(|b| format!("\"{}\"", b.name)).collect();
-    let mut text = header("//", &model.name) + c::INCLUDES;
-    text += "\n/* Names of the base parameters, the estimated functions' coefficients first. */\n";
-    text += &format!("const char *const NAMES[{}] = {{{}}};\n", quoted.len(), quoted.join(", "));
-    for run in derivation.runs.iter().filter(|r| !r.regressors.is_empty()) {
-        text += &format!("\n/* Positions in NAMES of the base parameters that run `{}` sees. */\n", run.name);
-        let (n, seen) = (run.regressors.len(), seen(run));
-        text += &format!("const int {}[{n}] = {{{seen}}};\n", positions_name(&run.name));
-    }
-    for function in functions(model, derivation)? {
-        text.push('\n');
-        text += &c::function(&function, real);
-    }
-    Ok(text)
 }
 
 /// The model as a Python module on NumPy: names, what each run sees, the functions.

@@ -91,7 +91,7 @@ impl Pool {
 }
 
 impl Rules {
-    fn sanitised(self, wanted: &str) -> String {
+    pub(super) fn sanitised(self, wanted: &str) -> String {
         let allowed = wanted.chars().map(|c| match c {
             c if !c.is_ascii_alphanumeric() => '_',
             c if self.lower_case => c.to_ascii_lowercase(),

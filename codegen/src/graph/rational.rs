@@ -2,14 +2,7 @@
 
 use num_traits::{CheckedAdd, CheckedMul, One, Zero};
 
-/// An exact constant of an expression.
-pub type Rational = num_rational::Ratio<i128>;
-
-/// The nearest `f64`: correctly rounded while numerator and denominator are below 2⁵³, else within 2 ulp.
-#[must_use]
-pub fn to_f64(r: &Rational) -> f64 {
-    *r.numer() as f64 / *r.denom() as f64
-}
+pub use crate::algebra::{Rational, to_f64};
 
 /// Lowest terms with a positive denominator, or `None` for a denominator of zero or an unrepresentable sign change.
 pub(super) fn reduced(r: Rational) -> Option<Rational> {

@@ -20,8 +20,10 @@ pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
     if problems.is_empty() {
         return built;
     }
-    problems.extend(built.err().unwrap_or_default());
+    // What was misspelt is missing elsewhere: only what does not follow from that is told along with it.
+    problems.extend(built.err().unwrap_or_default().into_iter().filter(|p| !p.kind.may_follow()));
     problems.sort_by_key(|p| p.span.start);
+    problems.dedup();
     Err(problems)
 }
 
@@ -104,7 +106,11 @@ impl Reader {
         let (kind, key) = match (table.get("rotary"), table.get("linear")) {
             (Some(_), None) => (AxisKind::Rotary, "rotary"),
             (None, Some(_)) => (AxisKind::Linear, "linear"),
-            _ => return self.problem(name.span, ProblemKind::Missing("rotary` or `linear")),
+            _ => {
+                // The axis stands in for the one that was meant, so that its errors are not all unknown too.
+                self.problem::<()>(name.span.clone(), ProblemKind::Missing("rotary` or `linear"));
+                return Some(DraftAxis::linear(name, "x").located(self.list(table, "location")));
+            }
         };
         let direction = self.direction(table, key);
         Some(DraftAxis { name, kind, direction, location: self.list(table, "location") })

@@ -3,6 +3,7 @@
 //! After this room every symbol is resolved, every axis has a coordinate in every run, and every expression
 //! is exact.
 
+mod builder;
 mod conditions;
 mod description;
 mod draft;

@@ -131,6 +131,23 @@ impl fmt::Display for ProblemKind {
 }
 
 impl ProblemKind {
+    /// True for what another problem may have caused: a name that is not there, a place without a value.
+    pub(super) fn may_follow(&self) -> bool {
+        matches!(
+            self,
+            Self::Missing(_)
+                | Self::Meaning(Meaning::UnknownName(_))
+                | Self::NotAConstant(_)
+                | Self::UnknownError(_)
+                | Self::UnknownAxis(_)
+                | Self::Unplaced(_)
+                | Self::NoCoordinate(_)
+                | Self::NoAngle(..)
+                | Self::NothingToEstimate(_)
+                | Self::NoRuns
+        )
+    }
+
     /// What the pointer says at its place.
     pub fn pointer(&self) -> &'static str {
         match self {
@@ -154,6 +171,7 @@ impl ProblemKind {
         Some(match self {
             Self::Toml(_) => "expected a model file: mend this line, or give a model's name".into(),
             Self::UnknownKey(_, known) | Self::OneOf(_, known) => format!("expected {}", list(known)),
+            Self::UnknownAxis(axis) => format!("describe it under [axis.{axis}], with `rotary` or `linear`"),
             Self::NotAName(_) => "a letter first, then letters, digits and underscores".into(),
             Self::Unplaced(_) => {
                 "name it in `workpiece = […]` or `tool = […]`, from the machine's base outwards".into()
@@ -185,6 +203,13 @@ impl ProblemKind {
                 "`x`, `-y`, or three components such as [\"0\", \"1/sqrt(2)\", \"1/sqrt(2)\"]".into()
             }
             Self::NotAConstant(_) => "name it in `constants = […]`".into(),
+            Self::FourierOfLength => "{ polynomial = 2 }, of the axis' travel".into(),
+            Self::Taken(_) => "every name stands for one thing, in generated source whatever its case".into(),
+            Self::Missing("rotary` or `linear") => {
+                "`rotary = \"x\"` or `linear = \"y\"`: what it does, along which direction".into()
+            }
+            Self::Missing("polynomial` or `fourier") => "a basis is { polynomial = 2 } or { fourier = 2 }".into(),
+            Self::Missing(key) => format!("add `{key} = …`"),
             Self::NothingToEstimate(_) => "give it a polynomial or a Fourier sum under [function]".into(),
             Self::NotACondition => "for example \"f(0) = 0\", \"f(2*pi) = f(0)\", \"f'(2*pi) = f'(0)\"".into(),
             Self::NoBasis(NoBasis::OnlyZero) => "raise the degree or drop a condition".into(),

@@ -28,7 +28,8 @@ fn wrong(model: &Model, axis: &Axis, reference: &Reference) -> Option<ProblemKin
         return Some(ProblemKind::TurnedReference(reference.axis.clone(), reference.component.letter()));
     }
     let k = reference.component.index() % 3;
-    let fixed = |a: &Axis| a.direction.iter().enumerate().all(|(i, p)| i == k || p.is_zero());
+    // A refused direction is zero, and told elsewhere.
+    let fixed = |a: &Axis| !a.direction[k].is_zero() && (0..3).all(|i| i == k || a.direction[i].is_zero());
     let no_angle = || ProblemKind::NoAngle(reference.component.letter(), reference.axis.clone(), axis.name.clone());
     (fixed(axis) || fixed(other)).then(no_angle)
 }

@@ -34,6 +34,11 @@ impl Resolver {
     }
 
     fn model(&mut self, draft: &Draft) -> Option<Model> {
+        if draft.name.value.is_empty() {
+            self.problem::<()>(&draft.name.span, ProblemKind::Missing("name"));
+        } else {
+            self.is_name(&draft.name);
+        }
         let notation = match draft.notation.as_ref().map(|t| (t, t.value.as_str())) {
             None | Some((_, "iso230")) => Notation::Iso230,
             Some((_, "paper")) => Notation::Paper,
@@ -51,15 +56,18 @@ impl Resolver {
         let mut names = draft.names.clone();
         let workpiece = self.side(draft, &draft.workpiece, notation, &mut names);
         let tool = self.side(draft, &draft.tool, notation, &mut names);
+        let mut unplaced = Vec::new();
         for axis in &draft.axes {
             if !draft.workpiece.iter().chain(&draft.tool).any(|t| t.value == axis.name.value) {
                 self.problem::<()>(&axis.name.span, ProblemKind::Unplaced(axis.name.value.clone()));
+                unplaced.extend(self.axis(axis, notation, &mut names));
             }
         }
         for (iso, _) in names {
             self.problem::<()>(&iso.span, ProblemKind::UnknownError(iso.value));
         }
         let axes: Vec<&Axis> = workpiece.iter().chain(&tool).collect();
+        let known: Vec<&Axis> = axes.iter().copied().chain(&unplaced).collect();
         let runs: Vec<Run> = draft.runs.iter().filter_map(|run| self.run(run, &axes, draft)).flatten().collect();
         if draft.runs.is_empty() {
             self.problem::<()>(&draft.name.span, ProblemKind::NoRuns);
@@ -72,7 +80,7 @@ impl Resolver {
                 self.problem::<()>(&run.places[0], ProblemKind::Taken(run.name.clone()));
             }
         }
-        let mut functions: Vec<Function> = draft.functions.iter().filter_map(|f| self.function(f, &axes)).collect();
+        let mut functions: Vec<Function> = draft.functions.iter().filter_map(|f| self.function(f, &known)).collect();
         for (i, f) in draft.functions.iter().enumerate() {
             let same = |g: &DraftFunction| {
                 self.error(&g.error.value).is_some() && self.error(&g.error.value) == self.error(&f.error.value)
@@ -85,6 +93,8 @@ impl Resolver {
             let error = self.error(&text.value);
             match functions.iter_mut().find(|f| Some(f.error) == error) {
                 Some(f) if !matches!(f.basis, Basis::Zero | Basis::Known) => f.estimate = true,
+                None if error
+                    .is_some_and(|e| draft.functions.iter().any(|f| self.error(&f.error.value) == Some(e))) => {}
                 _ => self.problem(&text.span, ProblemKind::NothingToEstimate(text.value.clone())).unwrap_or(()),
             }
         }
@@ -142,7 +152,8 @@ impl Resolver {
         Some(Axis {
             name: name.clone(),
             kind: axis.kind,
-            direction: direction?,
+            // A refused direction has no use: the description is refused with it.
+            direction: direction.unwrap_or_default(),
             location,
             references,
             motion: motion.try_into().ok()?,

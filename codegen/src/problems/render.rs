@@ -27,10 +27,12 @@ fn message(path: &str, source: &str, problem: &Problem, colour: Colour) -> Strin
         let help = help.map_or_else(String::new, |h| format!("  Help: {h}\n"));
         return format!("Error: {path}: {text}\n{help}");
     }
-    let end = source.len();
-    let start = problem.span.start.min(end);
-    // A pointer needs something to point at: the end of a file has its last character.
-    let span = if start == end { end.saturating_sub(1)..end } else { start..problem.span.end.clamp(start + 1, end) };
+    // A pointer needs whole characters, and at least one: the end of a file has its last.
+    let last = source.char_indices().next_back().map_or(0, |(at, _)| at);
+    let whole = |at: &usize| source.is_char_boundary(*at);
+    let start = (0..=problem.span.start.min(last)).rev().find(whole).unwrap_or(0);
+    let end = (problem.span.end.max(start + 1)..source.len()).find(whole).unwrap_or(source.len());
+    let span = start..end.max(start);
     let config = Config::default().with_color(colour == Colour::On).with_index_type(IndexType::Byte);
     let label = Label::new((path, span.clone())).with_message(problem.kind.pointer());
     let mut report =

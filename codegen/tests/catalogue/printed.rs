@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use trunnion_codegen::algebra::{Fraction, Poly};
-use trunnion_codegen::emit::{c, model};
+use trunnion_codegen::emit::{c, c99, model};
 use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::model::{Model, nominal_value};
 
@@ -70,7 +70,8 @@ fn literals(values: &[f64]) -> String {
 fn c99_of_whole_models() {
     for name in MODELS {
         let (model, derivation) = derived(name);
-        let mut source = model::c_source(&model, &derivation, c::Real::Double).unwrap() + "\n#include <stdio.h>\n";
+        let mut source =
+            c99::sources(&model, &derivation, c::Real::Double).unwrap().single() + "\n#include <stdio.h>\n";
         source += "static void show(const double *o, int n)\n{\n    int i;\n";
         source += "    for (i = 0; i < n; i++) printf(\"%.17g \", o[i]);\n}\n";
         source += "int main(void)\n{\n    int i;\n    double o[200];\n    double k[200];\n    (void)k;\n";
@@ -79,7 +80,7 @@ fn c99_of_whole_models() {
             let constants: String = model.alphabet.constants().map(|c| format!("{:?}, ", millimetres(c))).collect();
             let known = if run.known.is_empty() { "" } else { ", k" };
             writeln!(source, "        for (i = 0; i < {SAMPLES}; i++) {{").unwrap();
-            writeln!(source, "            {}({constants}x[i], o{known});", item(&run.name)).unwrap();
+            writeln!(source, "            row_of_{}({constants}x[i], o{known});", item(&run.name)).unwrap();
             writeln!(source, "            show(o, {}); show(k, {});", run.regressors.len(), run.known.len()).unwrap();
             source += "            printf(\"\\n\");\n        }\n    }\n";
         }

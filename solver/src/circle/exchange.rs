@@ -41,7 +41,7 @@ pub(super) fn run<T: Real>(points: &[Point<T>], start: &Point<T>, slack: T) -> O
         let first = angle(&centre, &held[0]);
         let mine = ahead(first, angle(&centre, point));
         let before = held.iter().rposition(|p| ahead(first, angle(&centre, p)) <= mine)?;
-        let side = |contact: usize| (contact % 2 == 0) == even_is_outer;
+        let side = |contact: usize| contact.is_multiple_of(2) == even_is_outer;
         let place = if side(before) == outside { before } else { (before + 1) % 4 };
         *contacts.get_mut(place)? = worst;
     }

@@ -160,9 +160,14 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// Takes `next` for the state if all of it is finite.
     #[inline(always)]
     fn replace(&mut self, next: Self) -> Result<(), Rejected> {
-        let zero = T::zero();
-        let sum = next.dr.iter().flatten().chain(&next.q).fold(next.rss, |sum, &v| sum + v * zero);
-        if !sum.is_finite() {
+        let mut finite = next.rss.is_finite();
+        for (row, q) in next.dr.iter().zip(&next.q) {
+            finite &= q.is_finite();
+            for v in row {
+                finite &= v.is_finite();
+            }
+        }
+        if !finite {
             return Err(Rejected::Overflow);
         }
         *self = next;

@@ -8,7 +8,7 @@
 //! use trunnion_solver::probe::Reversal;
 //!
 //! // The ball (Ø6) centred in a ring Ø40, the spindle reversed, then touches towards +x and +y.
-//! let touches = Reversal { centre: [0.0, 0.0], x: 17.416_988, y: 17.314_810, radius: 17.0_f64 };
+//! let touches = Reversal { centre: [0.0, 0.0], x: [17.416_988, 0.0], y: [0.0, 17.314_811], radius: 17.0_f64 };
 //! let [ox, oy] = touches.exact()?;
 //! assert!((ox - 0.21).abs() < 1e-6 && (oy - 0.16).abs() < 1e-6);
 //! let [nearly, _] = touches.small_angle();

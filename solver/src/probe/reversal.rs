@@ -8,10 +8,10 @@ use crate::Real;
 pub struct Reversal<T> {
     /// p1 = (x1, y1), mm: the spindle axis when the ball is in the ring's centre, found by touches both ways.
     pub centre: [T; 2],
-    /// x2, mm: the touch towards +x with the spindle reversed, at y1.
-    pub x: T,
-    /// y3, mm: the touch towards +y with the spindle reversed, at x1.
-    pub y: T,
+    /// p2 = (x2, y2), mm: the touch towards +x with the spindle reversed; the paper's y2 is y1.
+    pub x: [T; 2],
+    /// p3 = (x3, y3), mm: the touch towards +y with the spindle reversed; the paper's x3 is x1.
+    pub y: [T; 2],
     /// R_master − r_stylus, mm.
     pub radius: T,
 }
@@ -19,27 +19,28 @@ pub struct Reversal<T> {
 impl<T: Real> Reversal<T> {
     /// The offset (ox, oy), mm: (8) solved exactly.
     ///
-    /// With D = (x2 − x1, y3 − y1), ρ the radius and (X, Y) = 2o, (8) says that (X, Y) is on a circle of radius ρ about
-    /// (D₁, 0) and on one about (0, D₂). Of the two places where these meet it is the one near zero.
+    /// With ρ the radius, (8) says that 2o is on a circle of radius ρ about p2 − p1 and on one about p3 − p1. Of the two
+    /// places where these meet it is the one near zero.
     ///
     /// # Errors
     /// [`ProbeError::NotFinite`], [`ProbeError::Radius`], [`ProbeError::BeyondRing`].
     pub fn exact(&self) -> Result<[T; 2], ProbeError> {
-        let [dx, dy] = self.checked()?;
+        let [[ax, ay], [bx, by]] = self.checked()?;
         let half = T::of(0.5);
-        let apart = dx.hypot(dy);
+        let (ex, ey) = (bx - ax, by - ay);
+        let apart = ex.hypot(ey);
         let chord = half * apart;
         let height = self.radius * self.radius - chord * chord;
         if !(height >= T::zero() && apart > T::zero()) {
             return Err(ProbeError::BeyondRing);
         }
         let share = height.sqrt() / apart;
-        Ok([half * (half * dx - share * dy), half * (half * dy - share * dx)])
+        Ok([half * (half * (ax + bx) - share * ey), half * (half * (ay + by) + share * ex)])
     }
 
     /// The offset (ox, oy), mm, as if cos θ2 = sin θ3 = 1 (9): too small by o⊥²/ρ.
     pub fn small_angle(&self) -> [T; 2] {
-        let [dx, dy] = self.differences();
+        let [[dx, _], [_, dy]] = self.differences();
         [T::of(0.5) * (dx - self.radius), T::of(0.5) * (dy - self.radius)]
     }
 
@@ -51,15 +52,15 @@ impl<T: Real> Reversal<T> {
     /// # Errors
     /// As [`exact`](Self::exact); [`ProbeError::BeyondRing`] also where (8) is singular.
     pub fn covariance(&self, touch: T, radius: T) -> Result<[[T; 2]; 2], ProbeError> {
-        let [dx, dy] = self.differences();
+        let [[ax, ay], [bx, by]] = self.differences();
         let two = T::of(2.0);
         let [x, y] = self.exact()?.map(|o| two * o);
-        // (X − D₁) dX + Y dY = (X − D₁) dD₁ + ρ dρ and X dX + (Y − D₂) dY = (Y − D₂) dD₂ + ρ dρ.
-        let (a, b) = (x - dx, y - dy);
-        let determinant = a * b - x * y;
-        let solve = |u: T, v: T| [(u * b - y * v) / determinant, (a * v - x * u) / determinant];
-        let per_x = solve(a, T::zero());
-        let per_y = solve(T::zero(), b);
+        // With a = p2 − p1 and b = p3 − p1: (2o − a)·d(2o) = (X − a₁) da₁ + ρ dρ and (2o − b)·d(2o) = (Y − b₂) db₂ + ρ dρ.
+        let ((p, q), (r, s)) = ((x - ax, y - ay), (x - bx, y - by));
+        let determinant = p * s - q * r;
+        let solve = |u: T, v: T| [(u * s - q * v) / determinant, (p * v - r * u) / determinant];
+        let per_x = solve(p, T::zero());
+        let per_y = solve(T::zero(), s);
         let per_radius = solve(self.radius, self.radius);
         let difference = T::of(1.5) * touch * touch;
         let part = |g: [T; 2], variance: T, i: usize, j: usize| variance * [g[0], g[1]][i] * [g[0], g[1]][j];
@@ -72,18 +73,18 @@ impl<T: Real> Reversal<T> {
         if finite { Ok(covariance) } else { Err(ProbeError::BeyondRing) }
     }
 
-    fn differences(&self) -> [T; 2] {
-        [self.x - self.centre[0], self.y - self.centre[1]]
+    fn differences(&self) -> [[T; 2]; 2] {
+        [self.x, self.y].map(|[x, y]| [x - self.centre[0], y - self.centre[1]])
     }
 
-    fn checked(&self) -> Result<[T; 2], ProbeError> {
-        let [dx, dy] = self.differences();
-        if !(dx.is_finite() && dy.is_finite() && self.radius.is_finite()) {
+    fn checked(&self) -> Result<[[T; 2]; 2], ProbeError> {
+        let differences = self.differences();
+        if !(differences.iter().flatten().all(|d| d.is_finite()) && self.radius.is_finite()) {
             return Err(ProbeError::NotFinite);
         }
         if self.radius <= T::zero() {
             return Err(ProbeError::Radius);
         }
-        Ok([dx, dy])
+        Ok(differences)
     }
 }

@@ -7,6 +7,9 @@ use nalgebra::{SMatrix, SVector};
 /// Offset, centre and radius.
 const UNKNOWN: usize = 5;
 
+/// Standard deviations of a touch up to which an offset's own counts as told; the paper's touches tell it to 0.5.
+const TOLD: f64 = 20.0;
+
 /// Far more steps than touches near a circle need.
 const MOST: u32 = 50;
 
@@ -38,7 +41,8 @@ pub struct OffsetFit<T> {
 /// without an approximation. `sigma` is the standard deviation of one touch, mm, for the covariance.
 ///
 /// # Errors
-/// [`ProbeError`]: at least five touches, in several directions and with the spindle turned between them.
+/// [`ProbeError`]: at least five touches, in several directions and with the spindle turned between them, so that the
+/// offset's standard deviation is at most 20 times a touch's.
 pub fn offset<T: Real>(touches: &[Touch<T>], sigma: T) -> Result<OffsetFit<T>, ProbeError> {
     let n = T::of_count(u32::try_from(touches.len()).unwrap_or(u32::MAX));
     let sum = touches.iter().fold([T::zero(); 2], |s, t| [s[0] + t.position[0], s[1] + t.position[1]]);
@@ -48,7 +52,7 @@ pub fn offset<T: Real>(touches: &[Touch<T>], sigma: T) -> Result<OffsetFit<T>, P
     let scale = radius;
     for _ in 0..MOST {
         let factor = linearised(touches, offset, centre, radius)?;
-        let solved = factor.solve_with_sigma(sigma).map_err(|e| match e {
+        let solved = factor.solve_with_sigma(T::one()).map_err(|e| match e {
             SolveError::TooFewSamples { needed, .. } => ProbeError::TooFewTouches { touches: touches.len(), needed },
             SolveError::RankDeficient(_) => ProbeError::NotSeparated,
             SolveError::NotFinite => ProbeError::NotFinite,
@@ -59,8 +63,14 @@ pub fn offset<T: Real>(touches: &[Touch<T>], sigma: T) -> Result<OffsetFit<T>, P
         radius += dr;
         let size = solved.coefficients.dot(&solved.coefficients).sqrt();
         if size <= T::of(64.0) * T::epsilon() * (scale + centre[0].abs() + centre[1].abs()) {
+            let unit = solved.covariance;
+            let told = T::of(TOLD * TOLD);
+            if unit.diagonal().iter().take(2).any(|variance| *variance > told) {
+                return Err(ProbeError::NotSeparated);
+            }
+            let covariance = unit.map(|v| v * sigma * sigma);
             let residual_std = factor.solve().map_or(T::zero(), |fit| fit.residual_std);
-            return Ok(OffsetFit { offset, centre, radius, covariance: solved.covariance, residual_std });
+            return Ok(OffsetFit { offset, centre, radius, covariance, residual_std });
         }
     }
     Err(ProbeError::NoConvergence)

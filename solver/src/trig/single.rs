@@ -13,8 +13,7 @@ const C: [f32; 3] = [0.041_666_646, -0.001_388_731_3, 2.443_278_4e-5];
 
 /// Sine and cosine of `a` in rad, within 0.9 of their own last place or, where they vanish, 10⁻¹².
 pub(crate) fn sin_cos(a: f32) -> (f32, f32) {
-    // Also for NaN.
-    if !(a.abs() <= NEAR) {
+    if a.is_nan() || a.abs() > NEAR {
         return num_traits::Float::sin_cos(a);
     }
     // Adding 1.5·2²³ leaves no room for a fraction: the sum's last bits are the nearest count of quarter turns.

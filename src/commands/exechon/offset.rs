@@ -98,7 +98,11 @@ fn reversal(touches: &[([f64; 2], f64)], radius: f64, touch: f64, ring: f64) -> 
     }
     let middle = |(low, high): (f64, f64)| (low + high) / 2.0;
     let centre = [middle(range(0, 0.0)), middle(range(1, 0.0))];
-    let touches = Reversal { centre, x: range(0, PI).1, y: range(1, PI).1, radius };
+    let farthest = |k: usize| at(PI).max_by(|a, b| a[k].total_cmp(&b[k]));
+    let (Some(x), Some(y)) = (farthest(0), farthest(1)) else {
+        return Value::Null;
+    };
+    let touches = Reversal { centre, x, y, radius };
     let (Ok(exact), Ok(covariance)) = (touches.exact(), touches.covariance(touch, ring)) else {
         return Value::Null;
     };

@@ -1,0 +1,156 @@
+//! The model's own functions: a push for each run, a value for each estimated function.
+
+use super::{c, model};
+use crate::emit::c::Real;
+use crate::emit::function::Function;
+use crate::graph::Unbound;
+use crate::identify::Derivation;
+use crate::model::Model;
+
+/// What goes into the header, and what into the source.
+#[derive(Default)]
+pub(super) struct Printed {
+    pub declarations: String,
+    pub definitions: String,
+}
+
+/// Names that no two parameters and variables of a function share.
+struct Locals(Vec<String>);
+
+impl Locals {
+    fn name(&mut self, wanted: &str) -> String {
+        let mut name = c::identifier(wanted);
+        while self.0.contains(&name) {
+            name.push('_');
+        }
+        self.0.push(name.clone());
+        name
+    }
+}
+
+pub(super) fn functions(model: &Model, derivation: &Derivation, real: Real, prefix: &str) -> Result<Printed, Unbound> {
+    let mut printed = Printed::default();
+    for (at, run) in derivation.runs.iter().enumerate() {
+        if !run.regressors.is_empty() {
+            let function = model::run(model, derivation, at)?;
+            push(&mut printed, model, derivation, at, function, real, prefix);
+        }
+    }
+    for at in (0..model.functions.len()).filter(|at| model.functions[*at].estimate) {
+        if let Some(basis) = model::basis(model, at) {
+            value(&mut printed, derivation, basis?, real, prefix);
+        }
+    }
+    Ok(printed)
+}
+
+/// A function of this file alone.
+fn internal(mut function: Function, name: String, real: Real) -> String {
+    function.name = name;
+    format!("\n{}", c::function(&function, real).replacen("\nvoid ", "\nstatic void ", 1))
+}
+
+fn push(
+    printed: &mut Printed,
+    model: &Model,
+    derivation: &Derivation,
+    at: usize,
+    function: Function,
+    real: Real,
+    prefix: &str,
+) {
+    let run = &derivation.runs[at];
+    let kind = real.name();
+    let inputs = c::inputs(&function);
+    let (row, push) = (c::identifier(&format!("row_of_{}", run.name)), c::identifier(&format!("push_{}", run.name)));
+    let mut locals = Locals(inputs.clone());
+    locals.0.extend([row.clone(), "N".to_owned()]);
+    let [fit, reading] = ["fit", "reading"].map(|name| locals.name(name));
+    let known: Vec<String> = run.known.iter().map(|(f, _)| locals.name(&model::known_name(model, *f))).collect();
+    let [place, seen, all, factors, i] = ["place", "seen", "row", "factors", "i"].map(|name| locals.name(name));
+
+    let values = inputs.iter().chain([&reading]).chain(&known).map(|name| format!("{kind} {name}"));
+    let signature =
+        format!("{prefix}_status {prefix}_{push}({prefix}_fit *{fit}, {})", values.collect::<Vec<_>>().join(", "));
+    let also = if known.is_empty() { "" } else { ", and the known functions there" };
+    printed.declarations +=
+        &format!("\n/* Takes a sample of the run: constants, sweep, reading{also}. */\n{signature};\n");
+
+    let n = run.regressors.len();
+    let places: Vec<String> = run.regressors.iter().map(|(base, _)| base.to_string()).collect();
+    let mut arguments = inputs;
+    arguments.push(seen.clone());
+    printed.definitions += &internal(function, row.clone(), real);
+    printed.definitions += &format!("\n{signature}\n{{\n");
+    printed.definitions += &format!("    static const unsigned short {place}[{n}] = {{{}}};\n", places.join(", "));
+    printed.definitions += &format!("    {kind} {seen}[{n}], {all}[N] = {{0}};\n");
+    if !known.is_empty() {
+        printed.definitions += &format!("    {kind} {factors}[{}];\n", known.len());
+        arguments.push(factors.clone());
+    }
+    printed.definitions += &format!("    int {i};\n\n    {row}({});\n", arguments.join(", "));
+    printed.definitions +=
+        &format!("    for ({i} = 0; {i} < {n}; {i}++) {{\n        {all}[{place}[{i}]] = {seen}[{i}];\n    }}\n");
+    for (at, known) in known.iter().enumerate() {
+        printed.definitions += &format!("    {reading} -= {factors}[{at}] * {known};\n");
+    }
+    printed.definitions += &format!("    return {prefix}_push({fit}, {all}, {reading}, 1);\n}}\n");
+}
+
+fn value(printed: &mut Printed, derivation: &Derivation, function: Function, real: Real, prefix: &str) {
+    let (kind, upper) = (real.name(), prefix.to_uppercase());
+    let inputs = c::inputs(&function);
+    let name = c::identifier(&function.name);
+    let basis = c::identifier(&format!("basis_of_{name}"));
+    let position = |coefficient: &String| derivation.base.iter().position(|base| base.name == *coefficient);
+    let Some(places) = function.elements.iter().map(position).collect::<Option<Vec<usize>>>() else {
+        // Lumped with others, the function cannot be evaluated from what is estimated.
+        return;
+    };
+    let n = places.len();
+    let mut locals = Locals(inputs.clone());
+    locals.0.extend([basis.clone(), "N".to_owned()]);
+    let [estimate, value, std, place, at, sum, variance, i, j] =
+        ["estimate", "value", "std", "place", "at", "sum", "variance", "i", "j"].map(|name| locals.name(name));
+    let values = inputs.iter().map(|name| format!("{kind} {name}")).collect::<Vec<_>>().join(", ");
+    let signature = format!(
+        "{prefix}_status {prefix}_value_of_{name}(const {prefix}_estimate *{estimate}, {values}, {kind} *{value}, {kind} *{std})"
+    );
+    printed.declarations +=
+        &format!("\n/* The estimated function at a coordinate, and its standard deviation there. */\n{signature};\n");
+    let places: Vec<String> = places.iter().map(ToString::to_string).collect();
+    let (places, call) = (places.join(", "), inputs.join(", "));
+    let root = real.pick("sqrt", "sqrtf");
+    printed.definitions += &internal(function, basis.clone(), real);
+    printed.definitions += &format!(
+        "
+{signature}
+{{
+    static const unsigned short {place}[{n}] = {{{places}}};
+    {kind} {at}[{n}], {sum} = 0, {variance} = 0;
+    int {i}, {j};
+
+    if (!{estimate} || !{value} || !{std}) {{
+        return {upper}_NULL_POINTER;
+    }}
+    if ({estimate}->mark != ESTIMATE_MARK) {{
+        return {upper}_NOT_INITIALISED;
+    }}
+    {basis}({call}, {at});
+    for ({i} = 0; {i} < {n}; {i}++) {{
+        {sum} += {at}[{i}] * {estimate}->value[{place}[{i}]];
+        for ({j} = 0; {j} < {n}; {j}++) {{
+            {variance} += {at}[{i}] * {estimate}->covariance[{place}[{i}]][{place}[{j}]] * {at}[{j}];
+        }}
+    }}
+    if (!isfinite({sum}) || !isfinite({variance})) {{
+        return {upper}_NOT_FINITE;
+    }}
+    *{value} = {sum};
+    /* Rounding can take a vanishing variance below zero. */
+    *{std} = {variance} > 0 ? {root}({variance}) : 0;
+    return {upper}_OK;
+}}
+"
+    );
+}

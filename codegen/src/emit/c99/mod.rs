@@ -1,0 +1,89 @@
+//! A model with its own small streaming solver in C99: what a control without Rust takes.
+//!
+//! The solver is the Rust one in C (`trunnion_solver::lstsq`), for the model's number of unknowns; the tests hold them to
+//! each other.
+
+mod functions;
+
+use super::c::{self, Real};
+use super::header;
+use super::model;
+use crate::graph::Unbound;
+use crate::identify::Derivation;
+use crate::model::Model;
+
+/// The two files of a model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sources {
+    /// Stem of both file names and prefix of every name in them, as `tilting_table_a`.
+    pub prefix: String,
+    /// `{prefix}.h`
+    pub header: String,
+    /// `{prefix}.c`, which includes the header.
+    pub source: String,
+}
+
+impl Sources {
+    /// Both in one file, for a program that wants no more than one.
+    #[must_use]
+    pub fn single(&self) -> String {
+        format!("{}\n{}", self.header, self.source.replace(&include_line(&self.prefix), ""))
+    }
+}
+
+/// Prints the runs' regressors, the estimated functions and a solver for them all, in `double` or `float`.
+///
+/// # Errors
+/// An expression depends on a symbol that is neither a constant nor the run's sweep.
+pub fn sources(model: &Model, derivation: &Derivation, real: Real) -> Result<Sources, Unbound> {
+    let prefix = prefix(&model.name);
+    let names: Vec<&str> = derivation.base.iter().map(|base| base.name.as_str()).collect();
+    let printed = functions::functions(model, derivation, real, &prefix)?;
+    let fill = |template: &str| {
+        let literals = names.iter().map(|name| literal(name)).collect::<Vec<_>>().join(", ");
+        // What comes from the model goes in last: it may look like a place.
+        template
+            .replace("@prefix@", &prefix)
+            .replace("@PREFIX@", &prefix.to_uppercase())
+            .replace("@real@", real.name())
+            .replace("@N@", &names.len().to_string())
+            .replace("@EPSILON@", real.pick("DBL_EPSILON", "FLT_EPSILON"))
+            .replace("@MIN@", real.pick("DBL_MIN", "FLT_MIN"))
+            .replace("@sqrt@", real.pick("sqrt", "sqrtf"))
+            .replace("@declarations@", &printed.declarations)
+            .replace("@names@", &literals)
+            .replace("@model@", &model.name.replace("*/", "* /"))
+    };
+    let head = header("//", &model.name);
+    Ok(Sources {
+        header: head.clone() + &fill(include_str!("solver.h.in")),
+        source: head + &include_line(&prefix) + &fill(include_str!("solver.c.in")) + &printed.definitions,
+        prefix,
+    })
+}
+
+fn include_line(prefix: &str) -> String {
+    format!("#include \"{prefix}.h\"\n\n")
+}
+
+/// A model's name as the beginning of C names.
+fn prefix(name: &str) -> String {
+    let plain: String =
+        name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' }).collect();
+    match plain.trim_start_matches('_') {
+        "" => "model".to_owned(),
+        rest if rest.starts_with(|c: char| c.is_ascii_digit()) => format!("model_{rest}"),
+        rest => rest.to_owned(),
+    }
+}
+
+/// A C string literal.
+fn literal(text: &str) -> String {
+    let escaped = text.chars().filter(|c| !c.is_control()).flat_map(|c| match c {
+        '"' | '\\' => vec!['\\', c],
+        // No trigraphs.
+        '?' => vec!['\\', '?'],
+        _ => vec![c],
+    });
+    format!("\"{}\"", escaped.collect::<String>())
+}
