@@ -23,6 +23,8 @@ enum Command {
     Simulate(commands::simulate::Simulate),
     /// Errors and their uncertainty from measurement files.
     Fit(commands::fit::Fit),
+    /// What intended runs would tell: ranges, radii and subsets of runs compared, and which added run tells more.
+    Plan(commands::plan::Plan),
     /// Distribution of the largest error of an estimated function over many drawn machines.
     MonteCarlo(commands::monte_carlo::MonteCarlo),
     /// The parallel machine: kinematics, dependent rotation, probe offset, ring test.
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
         Command::Fit(c) => c.run(),
+        Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),
         Command::Exechon(c) => c.run(),
     };

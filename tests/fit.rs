@@ -196,8 +196,8 @@ fn an_arc_too_short_is_warned_of_by_name() {
     let named = |set: &str, estimator| {
         let (report, _) = Set::read(set).report(estimator);
         report.warnings.into_iter().find_map(|w| match w {
-            Warning::HardlySeparated { names, condition } => Some((names, condition)),
-            Warning::TakenAsZero { .. } => None,
+            Warning::HardlySeparated { names, condition, whole_turn: false } => Some((names, condition)),
+            _ => None,
         })
     };
     for (estimator, key) in ESTIMATORS {
@@ -327,7 +327,7 @@ fn the_cost_of_no_table_is_what_the_worst_table_does() {
                     assert_eq!((*unit, costs[0].0.as_str(), costs[0].1, costs.len()), ("um", "eps_xa", "urad", 1));
                     Some((known.as_str(), costs[0].2))
                 }
-                Warning::HardlySeparated { .. } => None,
+                _ => None,
             })
             .collect();
         assert_eq!(costs.iter().map(|(n, _)| *n).collect::<Vec<_>>(), ["dya", "dza"], "{key}");

@@ -1,8 +1,11 @@
 //! `trunnion derive`: equations, base parameters and source code of a model.
 
-use super::model::load;
+use super::model::{lengths, load};
+use super::predicted::{Measuring, prediction};
 use super::{Refused, print};
 use clap::{Args, ValueEnum};
+use trunnion::data::Radius;
+use trunnion::study::Setup;
 use trunnion_codegen::emit::c::Real;
 use trunnion_codegen::emit::{c99, equations, model};
 use trunnion_codegen::identify::derive;
@@ -15,6 +18,17 @@ pub struct Derive {
     /// What to print.
     #[arg(long, value_enum, default_value_t = Emit::Text)]
     emit: Emit,
+    /// With the text: what the runs would give with a bar of this nominal length, mm.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    radius: Option<f64>,
+    /// Another length of the set-up, mm.
+    #[arg(long = "set", value_name = "NAME=MM", requires = "radius")]
+    lengths: Vec<String>,
+    /// Range of the sweeps, degrees.
+    #[arg(long, value_name = "A:B", default_value = "0:360", value_parser = super::predicted::range, allow_hyphen_values = true)]
+    range_deg: (f64, f64),
+    #[command(flatten)]
+    measuring: Measuring,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -38,8 +52,17 @@ impl Derive {
     pub fn run(self) -> Result<(), Refused> {
         let description = load(&self.model)?;
         let derivation = derive(&description).map_err(|e| Refused::derive(&description, &e))?;
+        let predicted = match (self.radius, self.emit) {
+            (Some(mm), Emit::Text) => {
+                let values = lengths(&description, Radius::new(mm)?, &self.lengths)?;
+                let values: Vec<(&str, f64)> = values.iter().map(|(n, mm)| (n.as_str(), *mm)).collect();
+                let setup = Setup::new(description.clone(), &values).map_err(|e| Refused::setup(&description, &e))?;
+                prediction(&setup, self.range_deg, &self.measuring)?
+            }
+            _ => String::new(),
+        };
         print(&match self.emit {
-            Emit::Text => equations::text(&description, &derivation),
+            Emit::Text => equations::text(&description, &derivation) + &predicted,
             Emit::Latex => equations::latex(&description, &derivation),
             Emit::Rust => model::rust_source(&description, &derivation)?,
             Emit::C => c99::sources(&description, &derivation, Real::Double)?.single(),

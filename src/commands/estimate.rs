@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
-use trunnion::study::{Curve, Estimator, Limits, Report, Setup};
+use trunnion::study::{Curve, Estimator, Limits, Report, Setup, Term};
 
 /// Name of an estimator on the command line and in JSON.
 pub fn name(estimator: Estimator) -> &'static str {
@@ -42,7 +42,13 @@ fn curve(c: &Curve) -> Value {
         "unit": c.unit,
         "points": c.points.iter().map(point).collect::<Vec<_>>(),
         "neglected": c.neglected,
+        "neglected_typical": c.neglected_typical,
+        "neglected_terms": c.neglected_terms.iter().map(term).collect::<Vec<_>>(),
     })
+}
+
+fn term(t: &Term) -> Value {
+    json!({ "errors": t.name, "typical": t.typical, "bound": t.bound })
 }
 
 /// The report for reading at a terminal.
@@ -52,7 +58,8 @@ pub fn text(setup: &Setup, estimator: Estimator, limits: Limits, report: &Report
         let _ = writeln!(out, "run {name}: {samples} samples, residuals {rms:.3} µm rms");
     }
     let _ = writeln!(out, "condition {:.1} (columns scaled)", report.condition);
-    let (length, angle) = (limits.length * 1e3, limits.angle * 1e6);
+    let round = |x: f64| (x * 1e6).round() / 1e6;
+    let (length, angle) = (round(limits.length * 1e3), round(limits.angle * 1e6));
     let dropped = report.runs.iter().zip(&report.neglected).map(|((name, ..), n)| format!("{n:.3} µm ({name})"));
     let dropped: Vec<String> = dropped.collect();
     let _ = writeln!(
@@ -67,9 +74,14 @@ pub fn text(setup: &Setup, estimator: Estimator, limits: Limits, report: &Report
     for c in &report.functions {
         let _ = writeln!(
             out,
-            "\n{} ({}), 95 % band of the fit; linearisation adds at most {:.1}",
-            c.name, c.unit, c.neglected
+            "\n{} ({}), 95 % band of the fit; linearisation adds typically {:.2} (rms), at most {:.1}",
+            c.name, c.unit, c.neglected_typical, c.neglected
         );
+        let terms = c.neglected_terms.iter().take(5).map(|t| format!("{} {:.2}", t.name, t.typical));
+        let terms: Vec<String> = terms.collect();
+        if !terms.is_empty() {
+            let _ = writeln!(out, "  most of it from {}", terms.join(", "));
+        }
         let every = c.points.len().div_ceil(25).max(1);
         for p in c.points.iter().step_by(every) {
             let _ = writeln!(

@@ -1,11 +1,12 @@
 //! `trunnion fit`: errors and their uncertainty from measurement files.
 
 use super::model::ModelArguments;
+use super::simulated::limits;
 use super::{Refused, estimate, print};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 use trunnion::data::{Dimension, Known, Radius, Sweep, Table};
-use trunnion::study::{Estimator, Limits, Observation, Sample, Setup, fit, report};
+use trunnion::study::{Estimator, Observation, Sample, Setup, fit, report};
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::model::Coordinate;
 
@@ -15,6 +16,8 @@ pub struct Fit {
     #[command(flatten)]
     model: ModelArguments,
     /// Measurements of a run; once for every run of the model.
+    ///
+    /// Three displacements may be in one file with the columns dx, dy, dz: `low=FILE` for the runs low-x, low-y, low-z.
     #[arg(long = "run", value_name = "NAME=FILE", required = true)]
     runs: Vec<String>,
     /// The known functions over the swept angle; without it they are taken as zero.
@@ -27,6 +30,12 @@ pub struct Fit {
     /// step: the two steps of two-step do not weigh each other).
     #[arg(long = "weight", value_name = "NAME=W")]
     weights: Vec<String>,
+    /// Largest length error of the machine that what linearisation drops is worked out for, µm.
+    #[arg(long, default_value_t = 30.0)]
+    length_um: f64,
+    /// Largest angle error for the same, µrad.
+    #[arg(long, default_value_t = 100.0)]
+    angle_urad: f64,
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
@@ -57,9 +66,9 @@ impl Fit {
         let files = self.files(&setup)?;
         let observations = self.observations(&setup, radius, &files)?;
         let estimator = Estimator::from(self.estimator);
-        let file_of = |run: usize| files[run].display().to_string();
+        let file_of = |run: usize| files[run].0.display().to_string();
         let fitted = fit(&setup, &observations, estimator).map_err(|e| Refused::fit(&setup, &file_of, &e))?;
-        let limits = Limits::PAPER;
+        let limits = limits(self.length_um, self.angle_urad)?;
         let without_table = self.table.is_none();
         let report = report(&setup, &observations, &fitted, limits, without_table)
             .map_err(|e| Refused::setup(&setup.model, &e))?;
@@ -73,9 +82,9 @@ impl Fit {
     }
 
     /// The file of every run, in the model's order.
-    fn files(&self, setup: &Setup) -> Result<Vec<PathBuf>, Refused> {
+    fn files(&self, setup: &Setup) -> Result<Vec<Source>, Refused> {
         let names = run_names(setup);
-        let mut files: Vec<Option<PathBuf>> = vec![None; names.len()];
+        let mut files: Vec<Option<Source>> = vec![None; names.len()];
         for given in &self.runs {
             let not = || Refused::NotAPair {
                 option: "run",
@@ -84,13 +93,21 @@ impl Fit {
                 example: "tilting=run1.csv",
             };
             let (name, file) = given.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(not)?;
-            let at = setup.run(name).ok_or_else(|| Refused::UnknownRun(name.to_owned(), names.join(", ")))?;
-            if files[at].replace(PathBuf::from(file)).is_some() {
-                return Err(Refused::RunTwice(name.to_owned()));
+            let channels: Vec<usize> =
+                ["-x", "-y", "-z"].iter().filter_map(|c| setup.run(&format!("{name}{c}"))).collect();
+            let runs = match setup.run(name) {
+                Some(run) => vec![(run, READING)],
+                None if channels.len() == CHANNELS.len() => channels.into_iter().zip(CHANNELS).collect(),
+                None => return Err(Refused::UnknownRun(name.to_owned(), names.join(", "))),
+            };
+            for (run, column) in runs {
+                if files[run].replace((PathBuf::from(file), column)).is_some() {
+                    return Err(Refused::RunTwice(names[run].to_owned()));
+                }
             }
         }
         let missing =
-            |(file, name): (Option<PathBuf>, &&str)| file.ok_or_else(|| Refused::RunMissing((*name).to_owned()));
+            |(file, name): (Option<Source>, &&str)| file.ok_or_else(|| Refused::RunMissing((*name).to_owned()));
         files.into_iter().zip(&names).map(missing).collect()
     }
 
@@ -112,15 +129,18 @@ impl Fit {
         Ok(weights.into_iter().map(|w| w.unwrap_or(1.0)).collect())
     }
 
-    fn observations(&self, setup: &Setup, radius: Radius, files: &[PathBuf]) -> Result<Vec<Observation>, Refused> {
+    fn observations(&self, setup: &Setup, radius: Radius, files: &[Source]) -> Result<Vec<Observation>, Refused> {
         let weights = self.weights(setup)?;
         let table = self.table.as_deref().map(|file| known_table(setup, file)).transpose()?;
         let mut observations = Vec::new();
-        for (run, file) in files.iter().enumerate() {
+        for (run, (file, column)) in files.iter().enumerate() {
             let described = &setup.model.runs[run];
             let derived = &setup.derivation.runs[run];
             let least = derived.regressors.len() + 1;
-            let sweep = Sweep::read(file, setup.model.alphabet.sweep_name(described.sweep), radius, least)?;
+            let angle = setup.model.alphabet.sweep_name(described.sweep);
+            let mut channels = if *column == READING { vec![READING] } else { CHANNELS.to_vec() };
+            channels.retain(|c| c != column);
+            let sweep = Sweep::read_column(file, angle, column, &channels, radius, least)?;
             let mut known = vec![vec![0.0; derived.known.len()]; sweep.samples().len()];
             if let Some((table, functions)) = table.as_ref().filter(|_| !derived.known.is_empty()) {
                 let at_samples = table.at_samples(&sweep)?;
@@ -138,6 +158,14 @@ impl Fit {
         Ok(observations)
     }
 }
+
+/// A run's file and the column of its readings without the unit.
+type Source = (PathBuf, &'static str);
+
+/// The readings' column of a run with a file of its own.
+const READING: &str = "dr";
+/// The readings' columns of a file with all three displacements.
+const CHANNELS: [&str; 3] = ["dx", "dy", "dz"];
 
 /// Weights beyond this, or below its inverse, leave one of the runs without a say in double precision.
 const MOST_WEIGHT: f64 = 1e9;

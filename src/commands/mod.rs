@@ -5,10 +5,12 @@ pub mod derive;
 pub mod exechon;
 pub mod fit;
 pub mod monte_carlo;
+pub mod plan;
 pub mod simulate;
 
 mod estimate;
 mod model;
+mod predicted;
 mod refused;
 mod simulated;
 

@@ -10,9 +10,9 @@ use trunnion_codegen::catalogue;
 use trunnion_codegen::model::{Model, ReadingKind};
 use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
-/// Reads a model by its catalogue name or from a file.
-pub fn load(name: &str) -> Result<Model, Refused> {
-    let (place, source) = match catalogue::source(name) {
+/// Place and text of a model by its catalogue name or from a file.
+pub fn source(name: &str) -> Result<(String, String), Refused> {
+    Ok(match catalogue::source(name) {
         Some(source) => (name.to_owned(), source.to_owned()),
         None => {
             let path = Path::new(name);
@@ -25,7 +25,12 @@ pub fn load(name: &str) -> Result<Model, Refused> {
             })?;
             (path.display().to_string(), source)
         }
-    };
+    })
+}
+
+/// Reads a model by its catalogue name or from a file.
+pub fn load(name: &str) -> Result<Model, Refused> {
+    let (place, source) = source(name)?;
     let colour = if std::io::stderr().is_terminal() { Colour::On } else { Colour::Off };
     let derived = read_and_derive(&source);
     Ok(derived.map_err(|problems| Refused::Model(render(&place, &source, &problems, colour)))?.0)
@@ -49,28 +54,40 @@ impl ModelArguments {
     pub fn setup(&self) -> Result<(Setup, Radius), Refused> {
         let radius = Radius::new(self.radius)?;
         let model = load(&self.model)?;
-        let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(&model, &r.reading)).collect();
-        let mut values: Vec<(&str, f64)> = Vec::new();
-        for given in &self.lengths {
-            let pair = given.split_once('=').and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
-            let not = || Refused::NotAPair { option: "set", pair: "NAME=MM", given: given.clone(), example: "H=80" };
-            let (name, mm) = pair.ok_or_else(not)?;
-            if bars.iter().any(|bar| bar == name) {
-                return Err(Refused::SetBar(given.clone()));
-            }
-            if values.iter().any(|(n, _)| *n == name) {
-                return Err(Refused::LengthTwice(given.clone()));
-            }
-            values.push((name, mm));
-        }
-        for name in &bars {
-            if values.iter().all(|(n, _)| n != name) {
-                values.push((name, radius.mm()));
-            }
-        }
+        let values = lengths(&model, radius, &self.lengths)?;
+        let values: Vec<(&str, f64)> = values.iter().map(|(n, mm)| (n.as_str(), *mm)).collect();
         let setup = Setup::new(model.clone(), &values).map_err(|e| Refused::setup(&model, &e))?;
         Ok((setup, radius))
     }
+}
+
+/// Every length of the set-up that is given: the bar's, and those of `--set`.
+pub fn lengths(model: &Model, radius: Radius, given: &[String]) -> Result<Vec<(String, f64)>, Refused> {
+    let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(model, &r.reading)).collect();
+    let mut values: Vec<(String, f64)> = Vec::new();
+    for given in given {
+        let pair = given.split_once('=').and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
+        let not = || Refused::NotAPair { option: "set", pair: "NAME=MM", given: given.clone(), example: "H=80" };
+        let (name, mm) = pair.ok_or_else(not)?;
+        if bars.iter().any(|bar| bar == name) {
+            return Err(Refused::SetBar(given.clone()));
+        }
+        if values.iter().any(|(n, _)| n == name) {
+            return Err(Refused::LengthTwice(given.clone()));
+        }
+        values.push((name.to_owned(), mm));
+    }
+    for name in &bars {
+        if values.iter().all(|(n, _)| n != name) {
+            values.push((name.clone(), radius.mm()));
+        }
+    }
+    Ok(values)
+}
+
+/// True if a run of the model reads the length of a bar, so that its radius matters.
+pub fn has_bar(model: &Model) -> bool {
+    model.runs.iter().any(|r| bar(model, &r.reading).is_some())
 }
 
 /// The constant that is a run's bar.

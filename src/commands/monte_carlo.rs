@@ -64,7 +64,11 @@ fn warn(setup: &Setup, simulation: &Simulation, estimator: Estimator) -> Result<
     let separation = one.map_err(|e| Refused::fit(setup, &name, &e))?.separation;
     if separation.condition > WARN_CONDITION {
         let names = separation.weakest.iter().map(|&b| setup.derivation.base[b].name.clone()).collect();
-        let warning = Warning::HardlySeparated { condition: separation.condition, names };
+        let warning = Warning::HardlySeparated {
+            condition: separation.condition,
+            names,
+            whole_turn: simulation.to_deg - simulation.from_deg >= 330.0,
+        };
         eprintln!("warning: {}: {warning}", estimate::name(estimator));
     }
     Ok(())

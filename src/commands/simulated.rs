@@ -33,19 +33,29 @@ pub struct Simulation {
     pub to_deg: f64,
 }
 
+/// Largest errors from the command line.
+pub fn limits(length_um: f64, angle_urad: f64) -> Result<Limits, Refused> {
+    not_negative("length-um", length_um)?;
+    not_negative("angle-urad", angle_urad)?;
+    Ok(Limits { length: length_um * 1e-3, angle: angle_urad * 1e-6 })
+}
+
+/// Refuses what is no size of a noise or an error.
+pub fn not_negative(option: &'static str, value: f64) -> Result<(), Refused> {
+    match value.is_finite() && (0.0..=1e4).contains(&value) {
+        true => Ok(()),
+        false => Err(Refused::Option(option, value.to_string(), "expected a number from 0 to 10000")),
+    }
+}
+
 /// Most samples of one run.
 const MOST_SAMPLES: usize = 10_000_000;
 
 impl Simulation {
     /// Refuses what cannot be simulated.
     pub fn check(&self) -> Result<(), Refused> {
-        let not_negative =
-            [("noise-um", self.noise_um), ("length-um", self.length_um), ("angle-urad", self.angle_urad)];
-        for (option, value) in not_negative {
-            if !(value.is_finite() && (0.0..=1e4).contains(&value)) {
-                return Err(Refused::Option(option, value.to_string(), "expected a number from 0 to 10000"));
-            }
-        }
+        not_negative("noise-um", self.noise_um)?;
+        limits(self.length_um, self.angle_urad)?;
         for (option, value) in [("from-deg", self.from_deg), ("to-deg", self.to_deg)] {
             if !(value.is_finite() && value.abs() <= 3600.0) {
                 return Err(Refused::Option(option, value.to_string(), "expected an angle within ten turns"));

@@ -48,15 +48,31 @@ impl Sweep {
     /// files of their own) or is beyond ten turns; where there are fewer than `least` samples; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        let wanted = [
-            Wanted { name: angle, role: Role::Sweep },
-            Wanted { name: READING, role: Role::Deviation(Dimension::Length) },
-        ];
+        Self::read_column(file, angle, READING, &[], radius, least)
+    }
+
+    /// As [`Sweep::read`] with the readings in the column `<reading>_um|_mm`; the columns `others` have to be there too.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`].
+    pub fn read_column(
+        file: &Path,
+        angle: &str,
+        reading: &str,
+        others: &[&str],
+        radius: Radius,
+        least: usize,
+    ) -> Result<Self, FileError> {
+        let length = |name| Wanted { name, role: Role::Deviation(Dimension::Length) };
+        let wanted: Vec<Wanted> = [Wanted { name: angle, role: Role::Sweep }, length(reading)]
+            .into_iter()
+            .chain(others.iter().map(|name| length(name)))
+            .collect();
         let Lines { columns, lines } = lines::read(file, &wanted)?;
         let samples: Vec<Sample> = lines
             .iter()
             .filter_map(|line| match line.values.as_slice() {
-                [angle, reading] => Some(Sample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
+                [angle, reading, ..] => Some(Sample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
                 _ => None,
             })
             .collect();

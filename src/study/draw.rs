@@ -41,13 +41,13 @@ impl Limits {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Machine {
     values: Vec<Shape>,
-    /// Of each error, its coefficients in its basis; none where it has no basis.
+    /// Of each error, the factors of the functions it is a combination of.
     coefficients: Vec<Vec<f64>>,
 }
 
 /// An error's value as a function of its coordinate.
 #[derive(Clone, Debug, PartialEq)]
-enum Shape {
+pub(super) enum Shape {
     Constant(f64),
     /// Coefficients of x⁰, x¹, …
     Polynomial(Vec<f64>),
@@ -56,7 +56,7 @@ enum Shape {
 }
 
 impl Shape {
-    fn at(&self, x: f64) -> f64 {
+    pub fn at(&self, x: f64) -> f64 {
         match self {
             Self::Constant(v) => *v,
             Self::Polynomial(c) => c.iter().rev().fold(0.0, |sum, c| sum * x + c),
@@ -102,6 +102,11 @@ impl Machine {
         setup.derivation.parameters.iter().map(value).collect()
     }
 
+    /// Factors of the functions an error is a combination of.
+    pub(super) fn factors(&self, error: ErrorId) -> &[f64] {
+        &self.coefficients[error.index()]
+    }
+
     /// True value of every base parameter.
     pub fn base(&self, setup: &Setup) -> Vec<f64> {
         let parameters = self.parameters(setup);
@@ -114,25 +119,28 @@ pub fn draw(setup: &Setup, runs: &[ExactReading], limits: Limits, random: &mut i
     let model = &setup.model;
     let shape = |(id, _, quantity): (ErrorId, &str, Quantity)| {
         let limit = limits.of(quantity);
-        let Some((axis, _)) = model.axis_of(id) else { return (Shape::Constant(uniform(random) * limit), Vec::new()) };
+        let Some((axis, _)) = model.axis_of(id) else {
+            let value = uniform(random) * limit;
+            return (Shape::Constant(value), vec![value]);
+        };
         let coordinates: Vec<f64> = runs.iter().flat_map(|r| r.run().coordinates(axis)).flatten().collect();
-        let kind = model.axes().nth(axis).map_or(AxisKind::Linear, |a| a.kind);
-        let parts = parts(setup, id, kind);
+        let parts = parts(setup, id);
         let largest = |s: &Shape| coordinates.iter().map(|&x| s.at(x).abs()).fold(0.0, f64::max);
         let inverse = |s: &Shape| Some(largest(s)).filter(|size| *size > 0.0).map_or(0.0, f64::recip);
         let factors: Vec<f64> = parts.iter().map(|s| uniform(random) * inverse(s)).collect();
         let sum = sum(parts.into_iter().zip(&factors).map(|(s, f)| s.scaled(*f)).collect());
         let scale = limit * random.random::<f64>() * inverse(&sum);
-        let in_basis = model.function(id).is_some_and(|f| !f.basis.suffixes().is_empty());
-        let coefficients = if in_basis { factors.iter().map(|f| f * scale).collect() } else { Vec::new() };
+        let coefficients = factors.iter().map(|f| f * scale).collect();
         (sum.scaled(scale), coefficients)
     };
     let (values, coefficients) = model.alphabet.errors().map(shape).unzip();
     Machine { values, coefficients }
 }
 
-/// The functions a motion error is drawn from.
-fn parts(setup: &Setup, error: ErrorId, kind: AxisKind) -> Vec<Shape> {
+/// The functions an error is a combination of: 1 for a location or set-up error.
+pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<Shape> {
+    let Some((axis, _)) = setup.model.axis_of(error) else { return vec![Shape::Constant(1.0)] };
+    let kind = setup.model.axes().nth(axis).map_or(AxisKind::Linear, |a| a.kind);
     let wave = |k: usize, at: usize, cos: bool| {
         let mut waves = vec![(0.0, 0.0); k];
         waves[at - 1] = if cos { (1.0, 0.0) } else { (0.0, 1.0) };

@@ -40,6 +40,25 @@ pub struct Observation {
     pub samples: Vec<Sample>,
 }
 
+/// The variance of a reading of weight one.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum Variance {
+    /// From the residuals.
+    #[default]
+    Residual,
+    /// The square of this standard deviation, mm.
+    Known(f64),
+}
+
+impl Observation {
+    /// A run at the given sweeps (rad) with all readings zero: for what does not depend on readings.
+    pub fn zero(setup: &Setup, run: usize, sweeps: &[f64]) -> Self {
+        let known = vec![0.0; setup.derivation.runs[run].known.len()];
+        let samples = sweeps.iter().map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone() }).collect();
+        Self { run, weight: 1.0, samples }
+    }
+}
+
 /// Why there is no estimate.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FitError {
@@ -104,6 +123,19 @@ struct Step {
 /// # Errors
 /// [`FitError`]
 pub fn fit(setup: &Setup, observations: &[Observation], estimator: Estimator) -> Result<Fit, FitError> {
+    fit_with(setup, observations, estimator, Variance::Residual)
+}
+
+/// As [`fit`], with the variance of the readings from elsewhere.
+///
+/// # Errors
+/// [`FitError`]
+pub fn fit_with(
+    setup: &Setup,
+    observations: &[Observation],
+    estimator: Estimator,
+    variance: Variance,
+) -> Result<Fit, FitError> {
     let sees_function = |o: &Observation| {
         setup.derivation.runs[o.run].regressors.iter().any(|(b, _)| setup.derivation.base[*b].estimates.is_some())
     };
@@ -128,7 +160,10 @@ pub fn fit(setup: &Setup, observations: &[Observation], estimator: Estimator) ->
         let known: Vec<usize> = steps.iter().flat_map(|s| s.columns.iter().copied()).collect();
         let (step, solved) = solve(setup, observations, members, &known, &values)?;
         degrees_of_freedom = solved.samples.saturating_sub(step.columns.len() as u32);
-        let variance = solved.rss / f64::from(degrees_of_freedom);
+        let variance = match variance {
+            Variance::Residual => solved.rss / f64::from(degrees_of_freedom),
+            Variance::Known(std) => std * std,
+        };
         let given =
             DMatrix::from_fn(step.given.len(), step.given.len(), |i, j| covariance[(step.given[i], step.given[j])]);
         let cross = &step.gain * &given;

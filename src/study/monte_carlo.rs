@@ -1,7 +1,7 @@
 //! The largest error of an estimated function over many drawn machines, and where it comes from.
 
 use super::draw::{Limits, draw};
-use super::fit::{Estimator, FitError, Observation, Sample, fit};
+use super::fit::{Estimator, FitError, Observation, fit};
 use super::setup::Setup;
 use super::simulate::grid;
 use rand::{RngExt, SeedableRng};
@@ -88,16 +88,11 @@ pub fn monte_carlo(
     let runs: Vec<usize> = (0..setup.model.runs.len()).collect();
     let exact: Vec<ExactReading> = runs.iter().map(|&r| setup.exact(r, &sweeps)).collect();
     // The estimate is linear in the readings: its matrix is worked out once, on readings of zero.
-    let zero = |&run: &usize| {
-        let known = vec![0.0; setup.derivation.runs[run].known.len()];
-        let samples = sweeps.iter().map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone() }).collect();
-        Observation { run, weight: 1.0, samples }
-    };
-    let observations: Vec<Observation> = runs.iter().map(zero).collect();
+    let observations: Vec<Observation> = runs.iter().map(|&run| Observation::zero(setup, run, &sweeps)).collect();
     let estimate = fit(setup, &observations, estimator)?;
-    let coefficients = setup.basis(function, 1.0).into_iter().map(|(b, _)| b);
+    let coefficients: Vec<usize> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
     let operator: Vec<Vec<Vec<f64>>> =
-        coefficients.map(|b| estimate.coefficient_sensitivity(setup, &observations, b)).collect();
+        coefficients.iter().map(|&b| estimate.coefficient_sensitivity(setup, &observations, b)).collect();
     let step = (plan.range.1 - plan.range.0) / (POINTS - 1) as f64;
     let points: Vec<(f64, Vec<f64>)> = (0..POINTS)
         .map(|i| plan.range.0 + step * i as f64)
@@ -111,6 +106,8 @@ pub fn monte_carlo(
         })
         .collect();
     let error = setup.model.functions[function].error;
+    // What is seen only together with other errors is compared with what is seen: the sum.
+    let together = coefficients.iter().any(|&b| !setup.derivation.is_alone(b));
 
     let trial = |n: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(plan.seed);
@@ -135,11 +132,14 @@ pub fn monte_carlo(
         let width = plan.noise;
         let noise: Vec<Vec<f64>> =
             runs.iter().map(|_| sweeps.iter().map(|_| random.random_range(-1.0..=1.0) * width).collect()).collect();
+        let base = together.then(|| machine.base(setup));
+        let seen = |basis: &[f64], base: &[f64]| coefficients.iter().zip(basis).map(|(&b, v)| base[b] * v).sum::<f64>();
         let (systematic, random_part) = (apply(&clean), apply(&noise));
         let mut worst = Trial { noise: 0.0, linearisation: 0.0, both: 0.0 };
         for (x, basis) in &points {
             let value = |c: &[f64]| basis.iter().zip(c).map(|(b, c)| b * c).sum::<f64>();
-            let (s, r) = (value(&systematic) - machine.value(error, *x), value(&random_part));
+            let truth = base.as_ref().map_or_else(|| machine.value(error, *x), |base| seen(basis, base));
+            let (s, r) = (value(&systematic) - truth, value(&random_part));
             worst.noise = worst.noise.max(r.abs());
             worst.linearisation = worst.linearisation.max(s.abs());
             worst.both = worst.both.max((s + r).abs());

@@ -25,45 +25,77 @@ impl Neglected {
     }
 }
 
+/// The second-order terms of a run's reading, ready to evaluate along it.
+pub(super) struct SecondOrder {
+    /// The products of two errors.
+    pub products: Vec<Monomial>,
+    tape: Tape,
+    inputs: Vec<f64>,
+}
+
+impl SecondOrder {
+    /// Derives a run at order 2.
+    pub fn new(setup: &Setup, run: usize) -> Result<Self, SetupError> {
+        let model = &setup.model;
+        let algebra = |e| SetupError::Derive(DeriveError::Algebra(e));
+        let order = Order::new(2).map_err(algebra)?;
+        let second = reading(model, &model.runs[run], order)
+            .map_err(|e| SetupError::Derive(DeriveError::Reading(run, e)))?
+            .of_order(2);
+        let terms = second.by_errors();
+        let mut graph = Graph::new();
+        let outputs: Vec<_> = terms.iter().map(|(_, p)| poly(&mut graph, &model.alphabet, p)).collect();
+        let names: Vec<&str> =
+            model.alphabet.constants().chain([model.alphabet.sweep_name(model.runs[run].sweep)]).collect();
+        let tape = Tape::new(&graph.lower(&names, &outputs)?);
+        let inputs = model.alphabet.constants().map(|n| setup.constant(n)).chain([0.0]).collect();
+        Ok(Self { products: terms.into_iter().map(|(errors, _)| errors).collect(), tape, inputs })
+    }
+
+    /// Calls `each` at every sweep with the sample's position and the factor of every product.
+    pub fn along(&self, sweeps: impl Iterator<Item = f64>, mut each: impl FnMut(usize, &[f64])) {
+        let mut evaluator = self.tape.evaluator();
+        let mut inputs = self.inputs.clone();
+        let mut values = vec![0.0; self.products.len()];
+        for (i, sweep) in sweeps.enumerate() {
+            if let Some(last) = inputs.last_mut() {
+                *last = sweep;
+            }
+            let evaluated = evaluator.evaluate(&inputs, &mut values);
+            debug_assert_eq!(evaluated, Ok(()), "the tape was made for these inputs");
+            each(i, &values);
+        }
+    }
+}
+
+/// A product by the names of its errors: `o_ya·e_ya`.
+pub(super) fn product_name(setup: &Setup, errors: &Monomial) -> String {
+    errors.errors().map(|e| setup.model.alphabet.error_name(e)).collect::<Vec<_>>().join("·")
+}
+
+/// The largest value of a product within the limits.
+pub(super) fn product_size(setup: &Setup, errors: &Monomial, limits: Limits) -> f64 {
+    errors.errors().map(|e| limits.of(setup.model.alphabet.error_quantity(e))).product()
+}
+
 /// Derives a run at order 2 and bounds its second-order terms at the given values of the sweep, rad.
 ///
 /// # Errors
 /// [`SetupError`] where the exact arithmetic overflows.
 pub fn neglected(setup: &Setup, run: usize, sweeps: &[f64], limits: Limits) -> Result<Neglected, SetupError> {
-    let model = &setup.model;
-    let algebra = |e| SetupError::Derive(DeriveError::Algebra(e));
-    let order = Order::new(2).map_err(algebra)?;
-    let second = reading(model, &model.runs[run], order)
-        .map_err(|e| SetupError::Derive(DeriveError::Reading(run, e)))?
-        .of_order(2);
-    let terms = second.by_errors();
-    let mut graph = Graph::new();
-    let outputs: Vec<_> = terms.iter().map(|(_, p)| poly(&mut graph, &model.alphabet, p)).collect();
-    let names: Vec<&str> =
-        model.alphabet.constants().chain([model.alphabet.sweep_name(model.runs[run].sweep)]).collect();
-    let tape = Tape::new(&graph.lower(&names, &outputs)?);
-    let size =
-        |errors: &Monomial| errors.errors().map(|e| limits.of(model.alphabet.error_quantity(e))).product::<f64>();
-    let sizes: Vec<f64> = terms.iter().map(|(errors, _)| size(errors)).collect();
-    let mut inputs: Vec<f64> = model.alphabet.constants().map(|n| setup.constant(n)).chain([0.0]).collect();
-    let mut evaluator = tape.evaluator();
-    let mut values = vec![0.0; outputs.len()];
-    let mut largest = vec![0.0f64; outputs.len()];
+    let second = SecondOrder::new(setup, run)?;
+    let sizes: Vec<f64> = second.products.iter().map(|errors| product_size(setup, errors, limits)).collect();
+    let mut largest = vec![0.0f64; sizes.len()];
     let mut bound = Vec::with_capacity(sweeps.len());
-    for &sweep in sweeps {
-        if let Some(last) = inputs.last_mut() {
-            *last = sweep;
-        }
-        let evaluated = evaluator.evaluate(&inputs, &mut values);
-        debug_assert_eq!(evaluated, Ok(()), "the tape was made for these inputs");
+    second.along(sweeps.iter().copied(), |_, values| {
         let parts = || values.iter().zip(&sizes).map(|(v, s)| v.abs() * s);
         bound.push(parts().sum());
         for (l, part) in largest.iter_mut().zip(parts()) {
             *l = l.max(part);
         }
-    }
-    let name = |errors: &Monomial| errors.errors().map(|e| model.alphabet.error_name(e)).collect::<Vec<_>>().join("·");
-    let mut terms: Vec<(String, f64)> = terms.iter().zip(largest).map(|((errors, _), l)| (name(errors), l)).collect();
+    });
+    let named = |(errors, l): (&Monomial, f64)| (product_name(setup, errors), l);
+    let mut terms: Vec<(String, f64)> = second.products.iter().zip(largest).map(named).collect();
     terms.sort_by(|a, b| b.1.total_cmp(&a.1));
     Ok(Neglected { bound, terms })
 }

@@ -4,8 +4,10 @@ use super::draw::Limits;
 use super::fit::{Fit, Observation};
 use super::neglected::neglected;
 use super::setup::{Setup, SetupError};
+use super::systematic::{Term, systematic};
 use trunnion_codegen::algebra::{Nominal, Poly};
 use trunnion_codegen::basis::Basis;
+use trunnion_codegen::emit::equations;
 use trunnion_codegen::model::{AxisKind, Component};
 use trunnion_solver::lstsq::student_t_95;
 
@@ -58,6 +60,10 @@ pub struct Curve {
     pub points: Vec<Point>,
     /// The largest systematic error that the dropped second-order terms can leave in it, in its unit.
     pub neglected: f64,
+    /// The same on machines drawn within the limits: root mean square where it is largest, in its unit.
+    pub neglected_typical: f64,
+    /// The products of two errors that contribute most there, in its unit.
+    pub neglected_terms: Vec<Term>,
 }
 
 /// One point of a curve, in its units.
@@ -80,6 +86,15 @@ pub enum Warning {
         condition: f64,
         /// Names of the coefficients.
         names: Vec<String>,
+        /// The data go round a whole turn.
+        whole_turn: bool,
+    },
+    /// An estimated function is seen only together with other errors.
+    SeenTogether {
+        /// Name of the function.
+        function: String,
+        /// What is estimated in place of its coefficients: name and definition.
+        instead: Vec<(String, String)>,
     },
     /// A known function was taken as zero.
     TakenAsZero {
@@ -95,11 +110,21 @@ pub enum Warning {
 impl core::fmt::Display for Warning {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::HardlySeparated { condition, names } => write!(
-                f,
-                "these samples hardly tell {} apart (condition {condition:.0}): small disturbances move them far; measure over a longer arc",
-                names.join(", ")
-            ),
+            Self::HardlySeparated { condition, names, whole_turn } => {
+                let remedy = match whole_turn {
+                    true => "take fewer terms in the bases or add a run (`trunnion plan` compares)",
+                    false => "measure over a longer arc",
+                };
+                write!(
+                    f,
+                    "these samples hardly tell {} apart (condition {condition:.0}): small disturbances move them far; {remedy}",
+                    names.join(", ")
+                )
+            }
+            Self::SeenTogether { function, instead } => {
+                let each = instead.iter().map(|(name, sum)| format!("{name} stands for {sum}"));
+                write!(f, "{function} is seen only together with other errors: {}", each.collect::<Vec<_>>().join("; "))
+            }
             Self::TakenAsZero { known, unit, costs } => {
                 write!(f, "no table: {known} is taken as zero")?;
                 for (name, own, cost) in costs {
@@ -111,8 +136,8 @@ impl core::fmt::Display for Warning {
     }
 }
 
-/// Scale from mm and rad to the unit of a report.
-fn unit(component: Option<Component>) -> (&'static str, f64) {
+/// Unit of a component in a report, and the scale to it from mm and rad.
+pub fn unit(component: Option<Component>) -> (&'static str, f64) {
     match component.is_some_and(Component::is_rotation) {
         true => ("urad", 1e6),
         false => ("um", 1e3),
@@ -142,12 +167,15 @@ pub fn report(
         let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
         bounds.push(neglected(setup, o.run, &sweeps, limits)?.bound);
     }
-    let functions: Vec<Curve> = setup.estimated().filter_map(|f| curve(setup, observations, fit, f, &bounds)).collect();
+    let curves = setup.estimated().filter_map(|f| curve(setup, observations, fit, f, &bounds, limits).transpose());
+    let functions = curves.collect::<Result<Vec<Curve>, SetupError>>()?;
     let mut warnings = Vec::new();
     if fit.separation.condition > WARN_CONDITION {
         let names = fit.separation.weakest.iter().map(|&b| name(b)).collect();
-        warnings.push(Warning::HardlySeparated { condition: fit.separation.condition, names });
+        let whole_turn = observations.iter().any(goes_round);
+        warnings.push(Warning::HardlySeparated { condition: fit.separation.condition, names, whole_turn });
     }
+    warnings.extend(setup.estimated().filter_map(|f| seen_together(setup, fit, f)));
     if without_table {
         warnings.extend(taken_as_zero(setup, observations, fit));
     }
@@ -162,6 +190,29 @@ pub fn report(
     })
 }
 
+/// Whether samples cover a turn but for one coarse step.
+fn goes_round(observation: &Observation) -> bool {
+    let sweeps = observation.samples.iter().map(|s| s.sweep);
+    let (low, high) = sweeps.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)));
+    high - low >= 330f64.to_radians()
+}
+
+fn seen_together(setup: &Setup, fit: &Fit, function: usize) -> Option<Warning> {
+    let own = |b: &&usize| {
+        let estimates = setup.derivation.base[**b].estimates;
+        estimates.is_some_and(|(f, _)| f == function) && !setup.derivation.is_alone(**b)
+    };
+    let sum = |&b: &usize| {
+        let base = &setup.derivation.base[b];
+        (base.name.clone(), equations::definition(&setup.model, &setup.derivation, base))
+    };
+    let instead: Vec<_> = fit.base.iter().filter(own).map(sum).collect();
+    (!instead.is_empty()).then(|| Warning::SeenTogether { function: setup.function_name(function), instead })
+}
+
+/// Terms of second order that are named with a function.
+const NAMED_TERMS: usize = 8;
+
 /// An estimated function where the runs that see it went.
 fn curve(
     setup: &Setup,
@@ -169,10 +220,13 @@ fn curve(
     fit: &Fit,
     function: usize,
     bounds: &[Vec<f64>],
-) -> Option<Curve> {
+    limits: Limits,
+) -> Result<Option<Curve>, SetupError> {
     let error = setup.model.functions[function].error;
-    let (axis, component) = setup.model.axis_of(error)?;
-    let kind = setup.model.axes().nth(axis)?.kind;
+    let Some((axis, component)) = setup.model.axis_of(error) else { return Ok(None) };
+    let Some((kind, coordinate)) = setup.model.axes().nth(axis).map(|a| (a.kind, a.name.to_lowercase())) else {
+        return Ok(None);
+    };
     let (coordinate_unit, to_inner) = match kind {
         AxisKind::Rotary => ("deg", std::f64::consts::PI / 180.0),
         AxisKind::Linear => ("mm", 1.0),
@@ -197,14 +251,19 @@ fn curve(
         let sum = |(w, b): (&Vec<f64>, &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
         dropped = dropped.max(sensitivity.iter().zip(bounds).map(sum).sum::<f64>() * scale);
     }
-    Some(Curve {
+    let coordinates: Vec<f64> = points.iter().map(|p| p.at * to_inner).collect();
+    let left = systematic(setup, observations, fit, function, limits, &coordinates)?;
+    let scaled = |t: &Term| Term { name: t.name.clone(), typical: t.typical * scale, bound: t.bound * scale };
+    Ok(Some(Curve {
         name: setup.function_name(function),
         unit,
-        coordinate: setup.model.axes().nth(axis)?.name.to_lowercase(),
+        coordinate,
         coordinate_unit,
         points,
         neglected: dropped,
-    })
+        neglected_typical: left.typical * scale,
+        neglected_terms: left.terms.iter().take(NAMED_TERMS).filter(|t| t.typical > 0.0).map(scaled).collect(),
+    }))
 }
 
 fn coordinates(setup: &Setup, observation: &Observation, axis: usize) -> Vec<f64> {
@@ -250,7 +309,7 @@ fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: usize
 }
 
 /// Unit of a base parameter: the reading's mm over that of its regressor.
-fn coefficient_unit(setup: &Setup, base: usize) -> String {
+pub fn coefficient_unit(setup: &Setup, base: usize) -> String {
     let b = &setup.derivation.base[base];
     if let Some((function, k)) = b.estimates {
         let error = setup.model.functions[function].error;

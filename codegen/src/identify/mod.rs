@@ -5,8 +5,10 @@
 
 mod columns;
 mod factor;
+mod groups;
 
 pub use columns::{Origin, Parameter};
+pub use groups::Group;
 
 use crate::algebra::{AlgebraError, ErrorId, Fraction, Order, Poly};
 use crate::measurement::{ReadingError, reading};

@@ -27,6 +27,17 @@ pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
     Err(problems)
 }
 
+/// Reads a model file without resolving what it says; problems of its form alone.
+pub fn read_draft(source: &str) -> Result<Draft, Vec<Problem>> {
+    let table = DeTable::parse(source).map_err(|e| {
+        let span = e.span().unwrap_or(0..0);
+        vec![Problem { span, kind: ProblemKind::Toml(e.message().to_owned()) }]
+    })?;
+    let mut reader = Reader { problems: Vec::new() };
+    let draft = reader.draft(table.get_ref());
+    if reader.problems.is_empty() { Ok(draft) } else { Err(reader.problems) }
+}
+
 const TOP: &[&str] = &[
     "name",
     "title",

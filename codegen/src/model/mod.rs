@@ -19,6 +19,6 @@ pub use description::{Axis, AxisKind, Ball, Component, Coordinate, Function, Mod
 pub use draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Text};
 pub use evaluate::{Angle, EvaluationError, Meaning, Scope, at, nominal_value};
 pub use expression::{Expected, Expr, Node, Operator, Span, SyntaxError, parse, parse_equation};
-pub use file::read;
+pub use file::{read, read_draft};
 pub use notation::{Notation, iso_location, iso_motion};
 pub use problem::{Problem, ProblemKind};

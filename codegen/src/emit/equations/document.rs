@@ -3,8 +3,27 @@
 use super::printer::{Printer, Style};
 use crate::algebra::{ErrorId, Fraction, Monomial, Poly, Rational};
 use crate::basis::{Basis, Univariate};
-use crate::identify::{Derivation, DerivedRun};
+use crate::identify::{BaseParameter, Derivation, DerivedRun, Group};
 use crate::model::{Model, ReadingKind};
+
+/// `a`, `a and b`, `a, b and c`
+fn listed(mut names: Vec<String>) -> String {
+    match names.pop() {
+        None => String::new(),
+        Some(last) if names.is_empty() => last,
+        Some(last) => format!("{} and {last}", names.join(", ")),
+    }
+}
+
+/// A confounded group in words: `o_ya and t_y1 only appear as t_y1 − o_ya (k6)`.
+pub fn group(model: &Model, derivation: &Derivation, group: &Group) -> String {
+    Document::new(model, derivation, Style::Pretty).group(group)
+}
+
+/// A base parameter in physical ones: `−o_ya + R²·d_yy2 + t_y1`.
+pub fn definition(model: &Model, derivation: &Derivation, base: &BaseParameter) -> String {
+    Document::new(model, derivation, Style::Pretty).definition(&base.definition)
+}
 
 /// Prints the parts of one derivation.
 pub(super) struct Document<'a> {
@@ -82,6 +101,27 @@ impl<'a> Document<'a> {
     pub fn definition(&self, definition: &[(usize, Fraction)]) -> String {
         self.printer
             .combination(definition.iter().map(|(j, f)| (f, self.printer.name(&self.derivation.parameters[*j].name))))
+    }
+
+    /// True for a coefficient that is only itself: `e_xa1 = e_xa1`.
+    pub fn is_itself(&self, b: &BaseParameter) -> bool {
+        matches!(b.definition.as_slice(), [(j, f)] if *f == Fraction::one() && self.derivation.parameters[*j].name == b.name)
+    }
+
+    /// A confounded group in words: `o_ya and t_y1 only appear as t_y1 − o_ya (k6)`.
+    pub fn group(&self, group: &Group) -> String {
+        let parameter = |j: &usize| self.printer.name(&self.derivation.parameters[*j].name);
+        let base = |b: &usize| self.printer.name(&self.derivation.base[*b].name);
+        let members = listed(group.parameters.iter().map(parameter).collect());
+        match group.base.as_slice() {
+            [] => format!("{members} do not appear"),
+            [only] => format!(
+                "{members} only appear as {} ({})",
+                self.definition(&self.derivation.base[*only].definition),
+                base(only)
+            ),
+            several => format!("{members} only appear in {}", listed(several.iter().map(base).collect())),
+        }
     }
 
     /// A run's model equation, eqs. (7) and (9): known functions, then the base parameters.

@@ -6,6 +6,7 @@ mod latex;
 mod printer;
 mod text;
 
+pub use document::{definition, group};
 pub use json::json;
 pub use latex::latex;
 pub use printer::{Printer, Style};

@@ -42,16 +42,14 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
         };
     }
     let _ = writeln!(out, "\nBase parameters: rank {}", derivation.rank());
-    let width = derivation.base.iter().map(|b| b.name.len()).max().unwrap_or(0);
-    for b in &derivation.base {
+    let written = || derivation.base.iter().filter(|b| !d.is_itself(b));
+    let width = written().map(|b| b.name.len()).max().unwrap_or(0);
+    for b in written() {
         let _ = writeln!(out, "  {:width$} = {}", b.name, d.definition(&b.definition));
     }
-    let _ = writeln!(out, "\nKernel: changing the parameters along any of these changes no reading");
-    for vector in &derivation.kernel {
-        let part = |(j, f): &(usize, crate::algebra::Fraction)| {
-            format!("{}: {}", derivation.parameters[*j].name, d.printer.fraction(f))
-        };
-        let _ = writeln!(out, "  {}", vector.iter().map(part).collect::<Vec<_>>().join(", "));
+    let _ = writeln!(out, "\nWhat these runs cannot tell apart");
+    for group in derivation.groups() {
+        let _ = writeln!(out, "  {}", d.group(&group));
     }
     let unseen: Vec<&str> = derivation.unseen.iter().map(|e| model.alphabet.error_name(*e)).collect();
     let _ = writeln!(out, "\nNot seen at first order: {}", unseen.join(", "));

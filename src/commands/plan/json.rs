@@ -1,0 +1,74 @@
+//! The plan for a program.
+
+use super::{Found, Line, Outcome, Plan, combined};
+use serde_json::{Value, json};
+use trunnion::study::plan::Predicted;
+use trunnion::study::unit;
+
+/// The same as one object for a program.
+pub fn json(plan: &Plan, found: &Found) -> Value {
+    let Found { model, derivation, lines, described, tried, added } = found;
+    let name = |j: &usize| derivation.parameters[*j].name.clone();
+    let groups = derivation.groups();
+    let groups = groups.iter().zip(described).map(|(g, words)| {
+        json!({
+            "parameters": g.parameters.iter().map(name).collect::<Vec<_>>(),
+            "base": g.base.iter().map(|&b| derivation.base[b].name.clone()).collect::<Vec<_>>(),
+            "directions": g.kernel.len(),
+            "words": words,
+            "separated_by": added.iter().filter_map(|a| {
+                let count = a.separates.iter().filter(|s| g.kernel.contains(s)).count();
+                (count > 0).then(|| json!({
+                    "model": a.model,
+                    "run": a.run,
+                    "tool_ball_kept": a.ball_kept,
+                    "directions": count,
+                    "determines": a.determines.iter().filter(|j| g.parameters.contains(j)).map(name).collect::<Vec<_>>(),
+                }))
+            }).collect::<Vec<_>>(),
+        })
+    });
+    let known = added.iter().filter(|a| !a.finds.is_empty());
+    json!({
+        "model": model.name,
+        "samples": plan.measuring.samples,
+        "noise_um": plan.measuring.noise_um,
+        "estimator": combined(plan.measuring.estimator),
+        "plans": lines.iter().map(object).collect::<Vec<_>>(),
+        "runs_tried": tried,
+        "confounded": groups.collect::<Vec<_>>(),
+        "known_measured_by": known.map(|a| json!({ "model": a.model, "run": a.run, "functions": a.finds })).collect::<Vec<_>>(),
+    })
+}
+
+fn object(line: &Line) -> Value {
+    let mut value = json!({
+        "radius_mm": line.radius,
+        "range_deg": [line.range.0, line.range.1],
+        "without": line.without,
+    });
+    match &line.outcome {
+        Outcome::Refused(why) => value["refused"] = json!(why),
+        Outcome::Predicted { setup, prediction } => {
+            let name = |b: &usize| setup.derivation.base[*b].name.clone();
+            let function = |f: &Predicted| {
+                let (unit, scale) = unit(setup.component(f.function));
+                json!({
+                    "name": setup.function_name(f.function),
+                    "unit": unit,
+                    "largest_std": f.largest.map(|l| l.std * scale),
+                    "largest_u95": f.largest.map(|l| l.u95 * scale),
+                    "seen_together": f.together.iter().map(name).collect::<Vec<_>>(),
+                })
+            };
+            value["rank"] = json!(setup.derivation.rank());
+            value["condition"] = json!(prediction.condition);
+            value["weakest"] = json!(prediction.weakest.iter().map(name).collect::<Vec<_>>());
+            let std: serde_json::Map<String, Value> =
+                prediction.base.iter().map(|(b, std)| (name(b), json!(std))).collect();
+            value["std"] = Value::Object(std);
+            value["functions"] = json!(prediction.functions.iter().map(function).collect::<Vec<_>>());
+        }
+    }
+    value
+}

@@ -1,0 +1,125 @@
+//! The plan for reading at a terminal.
+
+use super::{Found, Line, Outcome, Plan, combined};
+use crate::commands::predicted;
+use std::fmt::Write;
+use trunnion::study::WARN_CONDITION;
+use trunnion::study::plan::Addition;
+use trunnion_codegen::emit::equations;
+
+/// The comparison and what cannot be told apart, for reading at a terminal.
+pub fn text(plan: &Plan, found: &Found) -> String {
+    let Found { model, derivation, lines, described, tried, added } = found;
+    let mut out = format!(
+        "{}: {} samples a run, noise ±{} µm, {} estimate\n",
+        model.name,
+        plan.measuring.samples,
+        plan.measuring.noise_um,
+        combined(plan.measuring.estimator)
+    );
+    let _ = writeln!(
+        out,
+        "  {:>5} {:>10}  {:>4} {:>10}  runs; largest uncertainty of each function",
+        "R", "range", "rank", "condition"
+    );
+    for line in lines {
+        let radius = line.radius.map_or(String::from("-"), |mm| mm.to_string());
+        let range = format!("{}…{}°", line.range.0, line.range.1);
+        let runs = match line.without.is_empty() {
+            true => "all".to_owned(),
+            false => format!("without {}", line.without.join(", ")),
+        };
+        match &line.outcome {
+            Outcome::Refused(why) => {
+                let _ = writeln!(out, "  {radius:>5} {range:>10}  {:>4} {:>10}  {runs}; {why}", "-", "-");
+            }
+            Outcome::Predicted { setup, prediction } => {
+                let hardly = if prediction.condition > WARN_CONDITION { "!" } else { " " };
+                let _ = write!(
+                    out,
+                    "  {radius:>5} {range:>10}  {:>4} {:>9.0}{hardly}  {runs}",
+                    setup.derivation.rank(),
+                    prediction.condition
+                );
+                for f in &prediction.functions {
+                    let mark = if f.together.is_empty() { "" } else { "*" };
+                    let _ = write!(out, "; {}{mark}", predicted::function(setup, f));
+                }
+                out.push('\n');
+            }
+        }
+    }
+    let _ = writeln!(
+        out,
+        "  ! condition above {WARN_CONDITION}: hardly told apart\n  * its coefficients are seen only together with other errors"
+    );
+    let asked = !plan.without.is_empty();
+    out += &together(lines.iter().filter(|l| asked || l.without.is_empty()));
+    let _ = writeln!(
+        out,
+        "\nWhat all runs together cannot tell apart, and what each of the {tried} runs of the catalogue that fit this machine would separate"
+    );
+    for (group, words) in derivation.groups().iter().zip(described) {
+        let _ = writeln!(out, "  {words}");
+        let separating: Vec<&Addition> =
+            added.iter().filter(|a| a.separates.iter().any(|s| group.kernel.contains(s))).collect();
+        if separating.is_empty() {
+            let _ = writeln!(out, "    none separates any of them");
+        }
+        for a in separating.iter().take(3) {
+            let count = a.separates.iter().filter(|s| group.kernel.contains(s)).count();
+            let of = group.kernel.len();
+            let determined = a.determines.iter().filter(|j| group.parameters.contains(j));
+            let determined: Vec<&str> = determined.map(|&j| derivation.parameters[j].name.as_str()).collect();
+            let then = match determined.as_slice() {
+                [] => String::new(),
+                names => format!("; then {} can be told", names.join(", ")),
+            };
+            let _ = writeln!(
+                out,
+                "    adding {} of {}{} separates {count} of {of} directions{then}",
+                a.run,
+                a.model,
+                kept(a)
+            );
+        }
+        if separating.len() > 3 {
+            let _ = writeln!(out, "    and {} more runs of the catalogue", separating.len() - 3);
+        }
+    }
+    for a in added.iter().filter(|a| !a.finds.is_empty()) {
+        let _ =
+            writeln!(out, "  {} of {} helps to measure {}, taken as known here", a.run, a.model, a.finds.join(", "));
+    }
+    out
+}
+
+fn kept(a: &Addition) -> &'static str {
+    if a.ball_kept { ", the tool ball left in place," } else { "" }
+}
+
+/// For each subset of runs, what its functions' coefficients stand for.
+fn together<'a>(lines: impl Iterator<Item = &'a Line>) -> String {
+    let mut out = String::new();
+    let mut said: Vec<&Vec<String>> = Vec::new();
+    for line in lines {
+        let Outcome::Predicted { setup, prediction } = &line.outcome else { continue };
+        let held: Vec<usize> = prediction.functions.iter().flat_map(|f| f.together.iter().copied()).collect();
+        if held.is_empty() || said.contains(&&line.without) {
+            continue;
+        }
+        said.push(&line.without);
+        let runs = if line.without.is_empty() {
+            "All runs".to_owned()
+        } else {
+            format!("Without {}", line.without.join(", "))
+        };
+        let _ = writeln!(out, "\n{runs}: estimated are");
+        for b in held {
+            let base = &setup.derivation.base[b];
+            let _ =
+                writeln!(out, "  {} as {}", base.name, equations::definition(&setup.model, &setup.derivation, base));
+        }
+    }
+    out
+}

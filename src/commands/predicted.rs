@@ -1,0 +1,84 @@
+//! Predicted uncertainty in words, for `derive` and `plan`.
+
+use super::fit::Combine;
+use super::simulated::not_negative;
+use super::{Refused, estimate};
+use clap::Args;
+use std::fmt::Write;
+use trunnion::study::plan::{Intended, Predicted, predict};
+use trunnion::study::{Estimator, Setup, coefficient_unit, unit};
+use trunnion_codegen::model::AxisKind;
+
+/// How is intended to be measured.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Measuring {
+    /// Samples of each run.
+    #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    pub samples: u32,
+    /// Half width of the uniform noise of the readings, µm.
+    #[arg(long, default_value_t = 0.1)]
+    pub noise_um: f64,
+    /// How the runs are combined.
+    #[arg(long, value_enum, default_value_t = Combine::Joint)]
+    pub estimator: Combine,
+}
+
+impl Measuring {
+    /// The runs over a range in degrees.
+    pub fn over(&self, (from, to): (f64, f64)) -> Result<Intended, Refused> {
+        not_negative("noise-um", self.noise_um)?;
+        Ok(Intended {
+            samples: self.samples as usize,
+            range: (from.to_radians(), to.to_radians()),
+            sigma: self.noise_um * 1e-3 / 3f64.sqrt(),
+        })
+    }
+}
+
+/// `A:B` in degrees.
+pub fn range(text: &str) -> Result<(f64, f64), &'static str> {
+    let number = |t: &str| t.trim().parse::<f64>().ok().filter(|x| x.abs() <= 3600.0);
+    let pair = text.split_once(':').and_then(|(a, b)| Some((number(a)?, number(b)?)));
+    pair.filter(|(a, b)| a < b).ok_or("not a range of angles\n  expected for example -20:200, in degrees")
+}
+
+/// What all runs over one range would give, as text.
+pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Result<String, Refused> {
+    let name = |run: usize| setup.model.runs[run].name.clone();
+    let estimator = Estimator::from(measuring.estimator);
+    let p = predict(setup, measuring.over(range)?, estimator).map_err(|e| Refused::fit(setup, &name, &e))?;
+    let lengths = setup.model.alphabet.constants().map(|n| format!("{n} = {} mm", setup.constant(n)));
+    let mut out = format!(
+        "\nPredicted with {}, {}°…{}°, {} samples a run, noise ±{} µm, {} estimate: condition {:.1}\n",
+        lengths.collect::<Vec<_>>().join(", "),
+        range.0,
+        range.1,
+        measuring.samples,
+        measuring.noise_um,
+        estimate::name(estimator),
+        p.condition
+    );
+    for (b, std) in &p.base {
+        let _ = writeln!(out, "  {:9} ± {std:<9.2e} {}", setup.derivation.base[*b].name, coefficient_unit(setup, *b));
+    }
+    for f in &p.functions {
+        let _ = writeln!(out, "  {}", function(setup, f));
+    }
+    Ok(out)
+}
+
+/// `eps_xa: std 0.58 urad (95 % ± 1.14) at a = 213 deg`
+pub fn function(setup: &Setup, predicted: &Predicted) -> String {
+    let name = setup.function_name(predicted.function);
+    let Some(largest) = predicted.largest else { return format!("{name}: not seen by these runs") };
+    let (unit, scale) = unit(setup.component(predicted.function));
+    let axis = setup.model.axis_of(setup.model.functions[predicted.function].error);
+    let axis = axis.and_then(|(i, _)| setup.model.axes().nth(i));
+    let (letter, at, of) = match axis {
+        Some(a) if a.kind == AxisKind::Rotary => (a.name.to_lowercase(), largest.at.to_degrees(), "deg"),
+        Some(a) => (a.name.to_lowercase(), largest.at, "mm"),
+        None => (String::new(), largest.at, ""),
+    };
+    let (std, u95) = (largest.std * scale, largest.u95 * scale);
+    format!("{name}: std at most {std:.3} {unit} (95 % ± {u95:.3}) at {letter} = {at:.0} {of}")
+}

@@ -1,0 +1,97 @@
+//! How well intended runs would determine the base parameters and the functions they are made for.
+//!
+//! The covariance of a least-squares estimate depends on where the samples are and on the noise, not on the readings: it is
+//! that of a fit of readings of zero with a known standard deviation.
+
+use crate::study::{Estimator, FitError, Observation, Setup, Variance, fit_with, grid};
+use trunnion_solver::lstsq::student_t_95;
+
+/// Runs that are intended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Intended {
+    /// Samples of each run, in equal steps.
+    pub samples: usize,
+    /// First sweep and end of the range, rad.
+    pub range: (f64, f64),
+    /// Standard deviation of a reading, mm: u/√3 for uniform noise ±u.
+    pub sigma: f64,
+}
+
+/// What they would give.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prediction {
+    /// Condition number of the design, columns scaled.
+    pub condition: f64,
+    /// Base parameters that are separated worst.
+    pub weakest: Vec<usize>,
+    /// Each base parameter with its standard deviation.
+    pub base: Vec<(usize, f64)>,
+    /// The estimated functions.
+    pub functions: Vec<Predicted>,
+}
+
+/// What they would give of one estimated function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Predicted {
+    /// Position in the model's functions.
+    pub function: usize,
+    /// Its uncertainty where that is largest; `None` if no run sees it.
+    pub largest: Option<Largest>,
+    /// Base parameters of its coefficients that hold other errors too: what is estimated is their sum.
+    pub together: Vec<usize>,
+}
+
+/// The largest uncertainty over the range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Largest {
+    /// Coordinate, mm or rad.
+    pub at: f64,
+    /// Standard deviation, mm or rad.
+    pub std: f64,
+    /// Half width of the 95 % band a fit of such runs would report.
+    pub u95: f64,
+}
+
+/// Points of a function's range that are looked at.
+const POINTS: usize = 361;
+
+/// Predicts what all runs of a model would give.
+///
+/// # Errors
+/// [`FitError`] where such samples do not determine the base parameters.
+pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, FitError> {
+    let sweeps = grid(intended.samples, intended.range);
+    let zero = |run| Observation::zero(setup, run, &sweeps);
+    let observations: Vec<Observation> = (0..setup.model.runs.len()).map(zero).collect();
+    let fit = fit_with(setup, &observations, estimator, Variance::Known(intended.sigma))?;
+    let t = student_t_95::<f64>(fit.degrees_of_freedom);
+    let function = |function: usize| {
+        let points = points(setup, function, intended);
+        let std = |x: &f64| (*x, fit.function(setup, function, *x).1);
+        let largest = points.iter().map(std).max_by(|a, b| a.1.total_cmp(&b.1));
+        let own = |b: &usize| setup.derivation.base[*b].estimates.is_some_and(|(f, _)| f == function);
+        let coefficients: Vec<usize> = fit.base.iter().copied().filter(own).collect();
+        let seen = !coefficients.is_empty();
+        Predicted {
+            function,
+            largest: largest.filter(|_| seen).map(|(at, std)| Largest { at, std, u95: t * std }),
+            together: coefficients.into_iter().filter(|&b| !setup.derivation.is_alone(b)).collect(),
+        }
+    };
+    Ok(Prediction {
+        condition: fit.separation.condition,
+        weakest: fit.separation.weakest.clone(),
+        base: fit.base.iter().enumerate().map(|(i, &b)| (b, fit.covariance[(i, i)].max(0.0).sqrt())).collect(),
+        functions: setup.estimated().map(function).collect(),
+    })
+}
+
+/// Where the runs take a function's coordinate.
+fn points(setup: &Setup, function: usize, intended: Intended) -> Vec<f64> {
+    let Some((axis, _)) = setup.model.axis_of(setup.model.functions[function].error) else { return Vec::new() };
+    let sweeps = grid(POINTS, intended.range);
+    let along = |run| setup.exact(run, &sweeps).run().coordinates(axis).flatten().collect::<Vec<_>>();
+    let at: Vec<f64> = (0..setup.model.runs.len()).flat_map(along).collect();
+    let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
+    if low <= high { grid(POINTS, (low, high)).into_iter().chain([high]).collect() } else { Vec::new() }
+}
