@@ -250,6 +250,10 @@ fn an_added_run_separates_what_the_exact_kernel_says() {
     // The whole rank of the paper's two runs is 11 with the tool ball left in place; 8 of it the first run sees, and two
     // of what is new (k9, k10) hold the new ball's set-up.
     assert_eq!(separation.gain, 1);
+    // Of the directions it separates only the one that holds d_zz1; the others still change no reading.
+    let parts: Vec<&str> =
+        separation.separates.iter().flat_map(|&i| &derivation.kernel[i]).map(|(j, _)| name(j)).collect();
+    assert!(separation.separates.len() == 1 && parts.contains(&"d_zz1"), "{parts:?}");
     // The run the machine has already tells nothing.
     assert!(of("tilting", true).is_none());
     let finds = |run| of(run, false).map(|a| a.finds.clone());

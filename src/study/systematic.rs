@@ -148,14 +148,17 @@ fn products(
             let moves = || vec![0.0; weights.len() * functions[0] * functions[1]];
             products.entry(*errors).or_insert_with(|| Product { errors: both, functions, moves: moves() });
         }
+        // Taken out while this run adds to them: a look-up for every sample would cost more than the sums.
+        let mut own: Vec<Option<Product>> = second.products.iter().map(|errors| products.remove(errors)).collect();
+        let along_of: Vec<[Option<&Vec<Vec<f64>>>; 2]> =
+            own.iter().map(|p| p.as_ref().map_or([None; 2], |p| p.errors.map(|e| values.get(&e)))).collect();
         second.along(sweeps.iter().copied(), |sample, factors| {
-            for (errors, factor) in second.products.iter().zip(factors).filter(|(_, f)| **f != 0.0) {
-                let Some(product) = products.get_mut(errors) else { continue };
-                let [Some(first), Some(second)] = product.errors.map(|e| values.get(&e)) else { continue };
+            for ((product, pair), factor) in own.iter_mut().zip(&along_of).zip(factors).filter(|(_, f)| **f != 0.0) {
+                let (Some(product), [Some(first), Some(second)]) = (product, pair) else { continue };
                 let mut moves = product.moves.iter_mut();
                 for weight in weights {
                     let scaled = weight[o][sample] * factor;
-                    for a in first {
+                    for a in first.iter() {
                         for (b, m) in second.iter().zip(&mut moves) {
                             *m += scaled * a[sample] * b[sample];
                         }
@@ -163,6 +166,7 @@ fn products(
                 }
             }
         });
+        products.extend(second.products.iter().zip(own).filter_map(|(errors, product)| Some((*errors, product?))));
     }
     products.into_iter().collect()
 }
@@ -181,13 +185,17 @@ fn bounds(
     for (o, (observation, second)) in observations.iter().zip(seconds).enumerate() {
         let moving = |m: &Monomial| m.errors().any(|e| setup.model.axis_of(e).is_some());
         let moving: Vec<bool> = second.products.iter().map(moving).collect();
+        let mut own = vec![0.0; moving.len()];
         second.along(observation.samples.iter().map(|s| s.sweep), |sample, factors| {
             let weight: f64 = weights.iter().zip(here).map(|(w, b)| w[o][sample] * b).sum();
-            for ((errors, factor), moving) in second.products.iter().zip(factors).zip(&moving) {
+            for ((sum, factor), moving) in own.iter_mut().zip(factors).zip(&moving) {
                 let part = weight * factor;
-                *sums.entry(*errors).or_insert(0.0) += if *moving { part.abs() } else { part };
+                *sum += if *moving { part.abs() } else { part };
             }
         });
+        for (errors, sum) in second.products.iter().zip(own) {
+            *sums.entry(*errors).or_insert(0.0) += sum;
+        }
     }
     sums.into_iter().map(|(errors, sum)| (errors, sum.abs() * product_size(setup, &errors, limits))).collect()
 }
