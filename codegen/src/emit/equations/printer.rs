@@ -42,8 +42,8 @@ impl Printer<'_> {
     /// `Σ factor · name`, names bare where the factor is ±1.
     pub fn combination<'n>(&self, terms: impl Iterator<Item = (&'n Fraction, String)>) -> String {
         self.sum(terms.map(|(factor, name)| {
-            let negative = factor.denominator().is_none()
-                && matches!(factor.numerator().terms(), [(_, c)] if *c < Rational::from(0));
+            // A denominator's leading coefficient is 1: the numerator has the sign.
+            let negative = matches!(factor.numerator().terms(), [(_, c)] if *c < Rational::from(0));
             let size = if negative { factor.negated() } else { factor.clone() };
             let text = match size.numerator().as_number().filter(|_| size.denominator().is_none()) {
                 Some(n) if n == Rational::from(1) => name,
