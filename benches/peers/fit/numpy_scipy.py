@@ -44,7 +44,7 @@ y1, y2 = reading(1.0), reading(2.0)
 for name, solve in [
     ("NumPy lstsq", lambda m, y: np.linalg.lstsq(m, y, rcond=None)[0]),
     ("SciPy lstsq (gelsy)", lambda m, y: scipy.linalg.lstsq(m, y, lapack_driver="gelsy")[0]),
-    ("NumPy normal equations, scaled", normal_equations),
+    ("NumPy scaled normal equations", normal_equations),
 ]:
     value = two_step(solve)
     times = []

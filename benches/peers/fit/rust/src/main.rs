@@ -72,8 +72,8 @@ fn main() {
             }
         };
     }
-    time("Trunnion two-step, streamed f64", samples, || stream!(TwoStep, f64)(&angles, &readings));
-    time("Trunnion two-step, streamed f32", samples, || stream!(TwoStep, f32)(&angles32, &readings32));
-    time("Trunnion joint, streamed f64", samples, || stream!(Joint, f64)(&angles, &readings));
-    time("nalgebra QR, two steps", samples, || nalgebra_qr(&angles, &readings));
+    time("Trunnion two-step streamed f64", samples, || stream!(TwoStep, f64)(&angles, &readings));
+    time("Trunnion two-step streamed f32", samples, || stream!(TwoStep, f32)(&angles32, &readings32));
+    time("Trunnion joint streamed f64", samples, || stream!(Joint, f64)(&angles, &readings));
+    time("nalgebra QR two steps", samples, || nalgebra_qr(&angles, &readings));
 }
