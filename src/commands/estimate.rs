@@ -68,8 +68,9 @@ pub fn text(setup: &Setup, estimator: Estimator, limits: Limits, report: &Report
         dropped.join(", ")
     );
     let _ = writeln!(out, "\nbase parameters");
+    let width = report.coefficients.iter().map(|c| c.name.len()).max().unwrap_or(0);
     for c in &report.coefficients {
-        let _ = writeln!(out, "  {:6} {:>14.6e} ± {:<10.2e} {}", c.name, c.value, c.std, c.unit);
+        let _ = writeln!(out, "  {:width$} {:>14.6e} ± {:<10.2e} {}", c.name, c.value, c.std, c.unit);
     }
     for c in &report.functions {
         let _ = writeln!(
