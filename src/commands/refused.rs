@@ -107,7 +107,7 @@ impl Refused {
             FitError::Confounded { runs, base } => {
                 let names: Vec<&str> = base.iter().map(|&b| setup.derivation.base[b].name.as_str()).collect();
                 format!(
-                    "{}: these samples cannot tell {} apart\n  measure over a longer arc, at angles spread over it",
+                    "{}: these samples cannot tell {} apart\n  measure at more angles over a longer arc, or leave terms out of the bases under [function]",
                     list(runs),
                     names.join(", ")
                 )
