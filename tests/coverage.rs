@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use trunnion::study::{Estimator, Limits, Observation, Plan, Sample, Setup, Spread, draw, fit, grid, monte_carlo};
+use trunnion::study::{Estimator, Limits, Plan, Setup, Spread, draw, fit, grid, monte_carlo};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
@@ -33,17 +33,8 @@ fn the_band_covers_the_truth_in_95_of_100_machines() {
         let mut random = ChaCha8Rng::seed_from_u64(2024);
         random.set_stream(n);
         let machine = draw(&setup, &exact, limits, &mut random);
-        let mut observe = |run: usize| {
-            let known = setup.true_known(run, &exact[run], &machine);
-            let clean = exact[run].values(&machine);
-            let sample = |(i, (&sweep, clean)): (usize, (&f64, f64))| Sample {
-                sweep,
-                reading: clean + random.random_range(-1.0..=1.0) * NOISE,
-                known: known.get(i).cloned().unwrap_or_default(),
-            };
-            let samples = sweeps.iter().zip(clean).enumerate().map(sample).collect();
-            Observation { run, weight: 1.0, samples }
-        };
+        let mut observe =
+            |run: usize| setup.observe(run, &exact[run], &sweeps, &machine, || random.random_range(-1.0..=1.0) * NOISE);
         let observations = [observe(0), observe(1)];
         ESTIMATORS.map(|estimator| {
             let fitted = fit(&setup, &observations, estimator).unwrap();

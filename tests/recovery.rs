@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use trunnion::study::plan::{Intended, additions, predict, subset};
 use trunnion::study::{
-    Estimator, Limits, Machine, Observation, Sample, Setup, Variance, draw, fit, fit_with, grid, neglected, systematic,
+    Estimator, Limits, Machine, Observation, Setup, Variance, draw, fit, fit_with, grid, neglected, systematic,
 };
 use trunnion_codegen::catalogue::{self, MODELS};
 use trunnion_codegen::identify::derive;
@@ -35,19 +35,7 @@ fn simulate(setup: &Setup, samples: usize, limits: Limits, random: &mut ChaCha8R
     let sweeps = grid(samples, (0.0, TAU));
     let exact: Vec<ExactReading> = (0..setup.model.runs.len()).map(|r| setup.exact(r, &sweeps)).collect();
     let machine = draw(setup, &exact, limits, random);
-    let observe = |(run, exact): (usize, &ExactReading)| {
-        let known = setup.true_known(run, exact, &machine);
-        let sample = |(i, (&sweep, reading)): (usize, (&f64, f64))| Sample {
-            sweep,
-            reading,
-            known: known.get(i).cloned().unwrap_or_default(),
-        };
-        Observation {
-            run,
-            weight: 1.0,
-            samples: sweeps.iter().zip(exact.values(&machine)).enumerate().map(sample).collect(),
-        }
-    };
+    let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, || 0.0);
     let observations = exact.iter().enumerate().map(observe).collect();
     Simulated { machine, observations }
 }

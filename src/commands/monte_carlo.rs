@@ -8,7 +8,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use trunnion::study::{Estimator, Plan, Setup, Spread, Trial, WARN_CONDITION, Warning, fit, monte_carlo};
+use trunnion::study::{Estimator, Observation, Plan, Setup, Spread, Trial, WARN_CONDITION, Warning, fit, monte_carlo};
 
 /// Arguments of `monte-carlo`.
 #[derive(Debug, Args)]
@@ -60,8 +60,9 @@ impl MonteCarlo {
 /// Says on standard error where the range is too short for the numbers to mean much.
 fn warn(setup: &Setup, simulation: &Simulation, estimator: Estimator) -> Result<(), Refused> {
     let name = |run: usize| setup.model.runs[run].name.clone();
-    let one = fit(setup, &simulation.measure(setup).observations, estimator);
-    let separation = one.map_err(|e| Refused::fit(setup, &name, &e))?.separation;
+    let sweeps = simulation.sweeps();
+    let design: Vec<Observation> = (0..setup.model.runs.len()).map(|r| Observation::zero(setup, r, &sweeps)).collect();
+    let separation = fit(setup, &design, estimator).map_err(|e| Refused::fit(setup, &name, &e))?.separation;
     if separation.condition > WARN_CONDITION {
         let names = separation.weakest.iter().map(|&b| setup.derivation.base[b].name.clone()).collect();
         let warning = Warning::HardlySeparated {

@@ -4,7 +4,7 @@ use super::Refused;
 use clap::Args;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use trunnion::study::{Limits, Machine, Observation, Sample, Setup, draw, grid};
+use trunnion::study::{Limits, Machine, Observation, Setup, draw, grid};
 use trunnion_codegen::measurement::ExactReading;
 
 /// What is simulated.
@@ -80,24 +80,20 @@ impl Simulation {
         Limits { length: self.length_um * 1e-3, angle: self.angle_urad * 1e-6 }
     }
 
+    /// The sweep at every sample, rad.
+    pub fn sweeps(&self) -> Vec<f64> {
+        grid(self.samples, (self.from_deg, self.to_deg)).into_iter().map(f64::to_radians).collect()
+    }
+
     /// Draws a machine and measures it.
     pub fn measure(&self, setup: &Setup) -> Measured {
-        let sweeps: Vec<f64> =
-            grid(self.samples, (self.from_deg, self.to_deg)).into_iter().map(f64::to_radians).collect();
+        let sweeps = self.sweeps();
         let exact: Vec<ExactReading> = (0..setup.model.runs.len()).map(|r| setup.exact(r, &sweeps)).collect();
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let machine = draw(setup, &exact, self.limits(), &mut random);
-        let mut observe = |run: usize| {
-            let clean = exact[run].values(&machine);
-            let known = setup.true_known(run, &exact[run], &machine);
-            let sample = |(i, (&sweep, clean)): (usize, (&f64, f64))| Sample {
-                sweep,
-                reading: clean + random.random_range(-1.0..=1.0) * self.noise_um * 1e-3,
-                known: known.get(i).cloned().unwrap_or_default(),
-            };
-            Observation { run, weight: 1.0, samples: sweeps.iter().zip(clean).enumerate().map(sample).collect() }
-        };
-        let observations = (0..exact.len()).map(&mut observe).collect();
+        let mut noise = || random.random_range(-1.0..=1.0) * self.noise_um * 1e-3;
+        let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, &mut noise);
+        let observations = exact.iter().enumerate().map(observe).collect();
         Measured { machine, observations }
     }
 }

@@ -1,6 +1,7 @@
-//! What an ideal instrument reads on a drawn machine.
+//! What an instrument reads on a drawn machine.
 
 use super::draw::Machine;
+use super::fit::{Observation, Sample};
 use super::setup::Setup;
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
@@ -15,6 +16,26 @@ impl Setup {
     /// linearised.
     pub fn exact(&self, run: usize, sweeps: &[f64]) -> ExactReading {
         ExactReading::new(&self.model, &self.model.runs[run], sweeps, &|n| self.constant(n))
+    }
+
+    /// A run as measured on `machine` at `sweeps`, those of `exact`: its exact readings with what `noise` gives (mm) added to
+    /// each in turn, and the true values of its known functions.
+    pub fn observe(
+        &self,
+        run: usize,
+        exact: &ExactReading,
+        sweeps: &[f64],
+        machine: &Machine,
+        mut noise: impl FnMut() -> f64,
+    ) -> Observation {
+        let known = self.true_known(run, exact, machine);
+        let sample = |(i, (&sweep, clean)): (usize, (&f64, f64))| Sample {
+            sweep,
+            reading: clean + noise(),
+            known: known.get(i).cloned().unwrap_or_default(),
+        };
+        let samples = sweeps.iter().zip(exact.values(machine)).enumerate().map(sample).collect();
+        Observation { run, weight: 1.0, samples }
     }
 
     /// True values of a run's known functions at its samples, mm or rad, in the order of its derivation.
