@@ -2,15 +2,16 @@
 
 use quote::quote;
 use std::{env, error::Error, fs, path::Path};
-use trunnion_codegen::{catalogue, emit, identify};
+use trunnion_codegen::problems::{Colour, read_and_derive, render};
+use trunnion_codegen::{catalogue, emit};
 
 #[path = "build/exechon.rs"]
 mod exechon;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let name = "tilting-table-a";
-    let model = catalogue::model(name).ok_or("not in the catalogue")?.map_err(|p| format!("{name}: {p:?}"))?;
-    let derivation = identify::derive(&model).map_err(|e| format!("{name}: {e:?}"))?;
+    let source = catalogue::source(name).ok_or("not in the catalogue")?;
+    let (model, derivation) = read_and_derive(source).map_err(|p| render(name, source, &p, Colour::Off))?;
     // `trig` stands in for `num_traits`: a sine of `f32` that takes no `f64`.
     let items = emit::model::rust_items(&model, &derivation, &quote!(crate::trig))?;
     let source = emit::header("//", &model.name) + &emit::rust::pretty(items);

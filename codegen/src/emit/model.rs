@@ -6,7 +6,7 @@ use crate::algebra::{Alphabet, Fraction, Nominal, Poly, SweepId};
 use crate::basis::Basis;
 use crate::graph::{Graph, Id, Unbound};
 use crate::identify::{Derivation, DerivedRun};
-use crate::model::{Coordinate, Model};
+use crate::model::Model;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -136,12 +136,6 @@ fn seen(run: &DerivedRun) -> String {
 /// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`.
 pub fn known_name(model: &Model, position: usize) -> String {
     model.alphabet.error_name(model.functions[position].error).replace('_', "")
-}
-
-/// Coordinates of the axes whose known functions a run reads, as a function of the constants and the sweep; `None` at rest.
-pub fn known_coordinate(model: &Model, run: usize, position: usize) -> Option<&Coordinate> {
-    let (axis, _) = model.axis_of(model.functions[position].error)?;
-    model.runs[run].at.get(axis).filter(|c| c.poly().is_some())
 }
 
 fn inputs(model: &Model, last: &str) -> Vec<String> {
