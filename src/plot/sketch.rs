@@ -39,7 +39,7 @@ impl Sketch {
         let extent = Extent::of(&self.series, 1)?;
         let (across, up) = (extent.x.1 - extent.x.0, extent.y.1 - extent.y.0);
         let scale = (WIDTH - 2.0 * MARGIN) / across.max(0.6 * up).max(1e-9);
-        let top = TITLE + LEGEND;
+        let top = TITLE + LEGEND + TEXT;
         let height = top + up * scale + MARGIN;
         let left = (WIDTH - across * scale) / 2.0;
         let at = |(x, y): (f64, f64)| (left + (x - extent.x.0) * scale, top + (extent.y.1 - y) * scale);
