@@ -110,7 +110,7 @@ fn bad_poses_are_refused_whole() {
 fn a_machine_file_is_checked_by_line() {
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("machine.toml");
-    let built_in = include_str!("../machines/exechon-xt700.toml");
+    let built_in = include_str!("../src/exechon/xt700.toml");
     let path = file.to_str().unwrap();
     let refuse = |from: &str, to: &str, message: &str| {
         assert!(built_in.contains(from));

@@ -4,19 +4,19 @@ use crate::model::{Model, Problem, read};
 
 /// Name and source of every model, in alphabetical order.
 pub const MODELS: &[(&str, &str)] = &[
-    ("ab-head", include_str!("../../machines/ab-head.toml")),
-    ("ac-head", include_str!("../../machines/ac-head.toml")),
-    ("ac-trunnion", include_str!("../../machines/ac-trunnion.toml")),
-    ("b-head-c-table", include_str!("../../machines/b-head-c-table.toml")),
-    ("bc-trunnion", include_str!("../../machines/bc-trunnion.toml")),
-    ("mill-turn", include_str!("../../machines/mill-turn.toml")),
-    ("nutating-head-b", include_str!("../../machines/nutating-head-b.toml")),
-    ("nutating-table", include_str!("../../machines/nutating-table.toml")),
-    ("rotary-table-c", include_str!("../../machines/rotary-table-c.toml")),
-    ("rotary-table-c-rtest", include_str!("../../machines/rotary-table-c-rtest.toml")),
-    ("tilting-table-a", include_str!("../../machines/tilting-table-a.toml")),
-    ("tilting-table-a-dyz", include_str!("../../machines/tilting-table-a-dyz.toml")),
-    ("tilting-table-b", include_str!("../../machines/tilting-table-b.toml")),
+    ("ab-head", include_str!("../machines/ab-head.toml")),
+    ("ac-head", include_str!("../machines/ac-head.toml")),
+    ("ac-trunnion", include_str!("../machines/ac-trunnion.toml")),
+    ("b-head-c-table", include_str!("../machines/b-head-c-table.toml")),
+    ("bc-trunnion", include_str!("../machines/bc-trunnion.toml")),
+    ("mill-turn", include_str!("../machines/mill-turn.toml")),
+    ("nutating-head-b", include_str!("../machines/nutating-head-b.toml")),
+    ("nutating-table", include_str!("../machines/nutating-table.toml")),
+    ("rotary-table-c", include_str!("../machines/rotary-table-c.toml")),
+    ("rotary-table-c-rtest", include_str!("../machines/rotary-table-c-rtest.toml")),
+    ("tilting-table-a", include_str!("../machines/tilting-table-a.toml")),
+    ("tilting-table-a-dyz", include_str!("../machines/tilting-table-a-dyz.toml")),
+    ("tilting-table-b", include_str!("../machines/tilting-table-b.toml")),
 ];
 
 /// The source of a model, if the catalogue has it.

@@ -4,17 +4,17 @@ use serde::Deserialize;
 use std::{fs, io, path::Path};
 use trunnion_solver::exechon::{Dimension, Dimensions, Home, Limit, Limits, Machine, MachineError, Range};
 
-/// The built-in machine file, `machines/exechon-xt700.toml`.
-pub const BUILT_IN: &str = include_str!("../../machines/exechon-xt700.toml");
+/// The built-in machine file, `src/exechon/xt700.toml`.
+pub const BUILT_IN: &str = include_str!("xt700.toml");
 
 /// Why a file is no machine; shown without the file's name.
 #[derive(Debug, thiserror::Error)]
 pub enum MachineFileError {
     /// The file cannot be read.
-    #[error("{0}\n  expected a machine file such as machines/exechon-xt700.toml")]
+    #[error("{0}\n  expected a machine file such as src/exechon/xt700.toml")]
     Unreadable(io::ErrorKind),
     /// Not TOML, or not these keys.
-    #[error("{}: {message}\n  expected the keys of machines/exechon-xt700.toml", .line.map_or(String::new(), |line| format!("line {line}")))]
+    #[error("{}: {message}\n  expected the keys of src/exechon/xt700.toml", .line.map_or(String::new(), |line| format!("line {line}")))]
     Format {
         /// Where, if it is in one place.
         line: Option<usize>,
@@ -22,9 +22,7 @@ pub enum MachineFileError {
         message: String,
     },
     /// Dimensions that make no machine.
-    #[error(
-        "line {line}: {problem}\n  expected dimensions in mm and angles in degrees, as in machines/exechon-xt700.toml"
-    )]
+    #[error("line {line}: {problem}\n  expected dimensions in mm and angles in degrees, as in src/exechon/xt700.toml")]
     Machine {
         /// The line of the key.
         line: usize,

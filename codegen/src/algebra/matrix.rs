@@ -58,21 +58,6 @@ impl Transform {
         }
         Ok(image)
     }
-
-    /// `self · other`: other acts first.
-    pub fn compose(&self, other: &Self, order: Order) -> Result<Self, AlgebraError> {
-        let mut rows: [[Poly; 4]; 3] = Default::default();
-        for (out, row) in rows.iter_mut().zip(&self.rows) {
-            for (j, entry) in out.iter_mut().enumerate() {
-                let mut terms = if j == 3 { row[3].terms().to_vec() } else { Vec::new() };
-                for (left, right) in row.iter().zip(&other.rows) {
-                    left.product_into(&right[j], order, &mut terms)?;
-                }
-                *entry = Poly::from_terms(terms)?;
-            }
-        }
-        Ok(Self { rows })
-    }
 }
 
 /// `p · q`, truncated at `order` errors.
@@ -91,25 +76,4 @@ pub(crate) fn difference(p: &Vector, q: &Vector) -> Result<Vector, AlgebraError>
         *o = a.minus(b)?;
     }
     Ok(out)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::{Alphabet, Quantity};
-    use super::*;
-
-    #[test]
-    fn composition_then_application_is_application_twice() {
-        let mut alphabet = Alphabet::default();
-        let mut symbol = |name: &str| Poly::error(alphabet.error(name, Quantity::Angle).unwrap());
-        let mut vector = |n: &str| ["x", "y", "z"].map(|c| symbol(&format!("{n}{c}")));
-        let order = Order::new(3).unwrap();
-        let (a, b) = (Transform::small(vector("a"), vector("t")), Transform::small(vector("b"), vector("u")));
-        let point = vector("p");
-        let once = a.compose(&b, order).unwrap().apply(&point, order).unwrap();
-        let twice = a.apply(&b.apply(&point, order).unwrap(), order).unwrap();
-        assert_eq!(once, twice);
-        assert_eq!(Transform::identity().compose(&a, order).unwrap(), a);
-        assert_ne!(a.compose(&b, order).unwrap(), b.compose(&a, order).unwrap());
-    }
 }

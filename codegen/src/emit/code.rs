@@ -78,7 +78,6 @@ impl<D: Dialect> Writer<'_, D> {
             Step::Sqrt(_) => return self.call("sqrt", step, text),
             Step::Sin(_) => return self.call("sin", step, text),
             Step::Cos(_) => return self.call("cos", step, text),
-            Step::Atan2(..) => return self.call("atan2", step, text),
         };
         if room > binding {
             text.push('(');

@@ -115,7 +115,6 @@ fn cost(count: &Operations) -> String {
         (count.divisions, "division", "divisions"),
         (count.roots, "square root", "square roots"),
         (count.angles, "sine and cosine", "sines and cosines"),
-        (count.arctangents, "arctangent", "arctangents"),
     ];
     let counts = kinds.into_iter().filter(|(n, ..)| *n > 0);
     let counts: Vec<_> = counts.map(|(n, one, many)| format!("{n} {}", if n == 1 { one } else { many })).collect();

@@ -69,10 +69,7 @@ impl Dialect for NumPy {
     }
 
     fn function(&self, name: &'static str) -> String {
-        match name {
-            "atan2" => "np.arctan2".to_owned(),
-            _ => format!("np.{name}"),
-        }
+        format!("np.{name}")
     }
 }
 

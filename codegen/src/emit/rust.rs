@@ -187,10 +187,9 @@ impl<'a> Writer<'a> {
             Step::Mul(..) => (Binding::Product, Binding::Operand, '*'),
             Step::Div(..) => (Binding::Product, Binding::Operand, '/'),
             Step::Neg(_) => (Binding::Sum, Binding::Operand, '-'),
-            Step::Sqrt(a) => return self.method("sqrt", a, None, tokens),
-            Step::Sin(a) => return self.method("sin", a, None, tokens),
-            Step::Cos(a) => return self.method("cos", a, None, tokens),
-            Step::Atan2(y, x) => return self.method("atan2", y, Some(x), tokens),
+            Step::Sqrt(a) => return self.method("sqrt", a, tokens),
+            Step::Sin(a) => return self.method("sin", a, tokens),
+            Step::Cos(a) => return self.method("cos", a, tokens),
         };
         if room > binding {
             let mut inner = TokenStream::new();
@@ -210,11 +209,10 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn method(&self, method: &str, receiver: Value, argument: Option<Value>, tokens: &mut TokenStream) {
+    fn method(&self, method: &str, receiver: Value, tokens: &mut TokenStream) {
         self.write(receiver, Binding::Receiver, tokens);
         let method = ident(method);
-        let argument = argument.map(|argument| self.value(argument));
-        tokens.extend(quote!(.#method(#argument)));
+        tokens.extend(quote!(.#method()));
     }
 }
 

@@ -43,6 +43,23 @@ impl Graph {
         &self.names[symbol.0 as usize]
     }
 
+    /// For each node up to the last of `outputs`, whether an output is made of it.
+    pub(super) fn reachable(&self, outputs: &[Id]) -> Vec<bool> {
+        let end = outputs.iter().map(|id| id.index() + 1).max().unwrap_or(0);
+        let mut used = vec![false; end];
+        for output in outputs {
+            used[output.index()] = true;
+        }
+        for index in (0..end).rev() {
+            if used[index] {
+                for child in self.node(Id(index as u32)).children() {
+                    used[child.index()] = true;
+                }
+            }
+        }
+        used
+    }
+
     pub(super) fn intern(&mut self, node: Node) -> Id {
         Id(self.nodes.insert_full(node).0 as u32)
     }

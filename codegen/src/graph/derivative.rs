@@ -67,14 +67,6 @@ impl Graph {
                 let sin = self.sin(u);
                 self.monomial(-Rational::one(), &[(sin, 1), (known[u.index()], 1)])
             }
-            // atan2(y, x)′ = (x y′ − y x′) / (x² + y²)
-            Node::Atan2(y, x) => {
-                let (dy, dx) = (known[y.index()], known[x.index()]);
-                let (xdy, ydx) = (self.product(&[x, dy]), self.product(&[y, dx]));
-                let (xx, yy) = (self.power(x, 2), self.power(y, 2));
-                let (turn, square) = (self.difference(xdy, ydx), self.sum(&[xx, yy]));
-                self.quotient(turn, square)
-            }
         }
     }
 }

@@ -50,7 +50,6 @@ impl Graph {
                 Node::Sqrt(u) => at(*u).sqrt(),
                 Node::Sin(u) => at(*u).sin(),
                 Node::Cos(u) => at(*u).cos(),
-                Node::Atan2(y, x) => at(*y).atan2(at(*x)),
             };
         }
         Ok(known.last().copied().unwrap_or(0.0))

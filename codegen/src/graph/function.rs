@@ -1,4 +1,4 @@
-//! Square roots, sines, cosines and angles, with the exact values that fixed axes need (multiples of 45°).
+//! Square roots, sines and cosines, with the exact values that fixed axes need (multiples of 45°).
 
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -43,14 +43,6 @@ impl Graph {
         }
         let a = if self.leads_negative(a) { self.negate(a) } else { a };
         self.intern(Node::Cos(a))
-    }
-
-    /// The angle in rad of the point (x, y), in (−π, π].
-    pub fn atan2(&mut self, y: Id, x: Id) -> Id {
-        match self.node(x) {
-            Node::Rational(r) if y == Id::ZERO && r.is_positive() => Id::ZERO,
-            _ => self.intern(Node::Atan2(y, x)),
-        }
     }
 
     /// How many eighths of a turn `a` is, modulo 8, if it is a whole number of them.

@@ -71,10 +71,6 @@ impl Graph {
                 }
                 Node::Sin(u) => lowering.angle(*u, angles.get(u).copied().unwrap_or_default())[0],
                 Node::Cos(u) => lowering.angle(*u, angles.get(u).copied().unwrap_or_default())[1],
-                Node::Atan2(y, x) => {
-                    let (y, x) = (lowering.at(*y), lowering.at(*x));
-                    lowering.step(Step::Atan2(y, x))
-                }
             };
             lowering.values[id.index()] = value;
         }

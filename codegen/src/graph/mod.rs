@@ -1,7 +1,7 @@
 //! Hash-consed expressions: equal expressions are one node, so sharing and equality cost nothing.
 //!
 //! Polynomials lower to a [`Graph`] through its plain constructors; from there expressions are differentiated
-//! ([`Graph::derivative`]), rewritten ([`Graph::substitute`]), evaluated ([`Graph::evaluate`], [`Tape`]) or lowered
+//! ([`Graph::derivative`]), evaluated ([`Graph::evaluate`], [`Tape`]) or lowered
 //! together to straight-line code ([`Program`]), which the printers of [`crate::emit`] write in a language.
 //!
 //! Constructors simplify as algebra does: `0·x` is 0 and `(√u)²` is `u`, whatever values `x` and `u` may take.
@@ -27,7 +27,6 @@ mod lower;
 mod node;
 mod program;
 mod rational;
-mod substitute;
 mod tape;
 #[cfg(test)]
 mod tests;

@@ -68,23 +68,20 @@ pub enum Node {
     Sin(Id),
     /// Cosine of an angle in rad.
     Cos(Id),
-    /// `Atan2(y, x)`: the angle in rad, in (−π, π], of the point (x, y).
-    Atan2(Id, Id),
 }
 
 impl Node {
     /// The expressions this one is made of, with repetition; the unit of a sum's constant is not one of them.
     pub fn children(&self) -> impl Iterator<Item = Id> + '_ {
-        let (terms, factors, pair): (&[Term], &[Factor], [Option<Id>; 2]) = match self {
-            Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => (&[], &[], [None, None]),
-            Node::Sum(terms) => (terms, &[], [None, None]),
-            Node::Product(_, factors) => (&[], factors, [None, None]),
-            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) => (&[], &[], [Some(*u), None]),
-            Node::Atan2(y, x) => (&[], &[], [Some(*y), Some(*x)]),
+        let (terms, factors, argument): (&[Term], &[Factor], Option<Id>) = match self {
+            Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => (&[], &[], None),
+            Node::Sum(terms) => (terms, &[], None),
+            Node::Product(_, factors) => (&[], factors, None),
+            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) => (&[], &[], Some(*u)),
         };
         let terms = terms.iter().map(|term| term.node).filter(|&node| node != Id::ONE);
         let factors = factors.iter().map(|factor| factor.base);
-        terms.chain(factors).chain(pair.into_iter().flatten())
+        terms.chain(factors).chain(argument)
     }
 }
 
@@ -111,7 +108,6 @@ impl Hash for Node {
                 factors.hash(state);
             }
             Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) => u.hash(state),
-            Node::Atan2(y, x) => (y, x).hash(state),
         }
     }
 }

@@ -43,15 +43,13 @@ pub enum Step {
     Sin(Value),
     /// cos a
     Cos(Value),
-    /// atan2(y, x)
-    Atan2(Value, Value),
 }
 
 impl Step {
     /// The step's operands.
     pub fn operands(self) -> impl Iterator<Item = Value> {
         let (a, b) = match self {
-            Step::Add(a, b) | Step::Sub(a, b) | Step::Mul(a, b) | Step::Div(a, b) | Step::Atan2(a, b) => (a, Some(b)),
+            Step::Add(a, b) | Step::Sub(a, b) | Step::Mul(a, b) | Step::Div(a, b) => (a, Some(b)),
             Step::Neg(a) | Step::Sqrt(a) | Step::Sin(a) | Step::Cos(a) => (a, None),
         };
         [Some(a), b].into_iter().flatten()
@@ -71,8 +69,6 @@ pub struct Operations {
     pub roots: usize,
     /// Angles whose sine, cosine or both are computed.
     pub angles: usize,
-    /// Two-argument arctangents.
-    pub arctangents: usize,
 }
 
 /// Straight-line code for several outputs: each step uses inputs, constants and earlier steps, and no two are the same.
@@ -171,7 +167,6 @@ impl Program {
                 Step::Div(..) => count.divisions += 1,
                 Step::Sqrt(_) => count.roots += 1,
                 Step::Sin(_) | Step::Cos(_) => count.angles += usize::from(!self.is_fused_cosine(at)),
-                Step::Atan2(..) => count.arctangents += 1,
             }
         }
         count

@@ -19,7 +19,6 @@ enum Operation {
     Cos(u32),
     /// Gives two results: sine, then cosine.
     SinCos(u32),
-    Atan2(u32, u32),
 }
 
 /// The slice for the inputs or the outputs is of the wrong length.
@@ -89,7 +88,6 @@ impl Tape {
                 Step::Sqrt(a) => Operation::Sqrt(register(a)),
                 Step::Sin(a) => Operation::Sin(register(a)),
                 Step::Cos(a) => Operation::Cos(register(a)),
-                Step::Atan2(y, x) => Operation::Atan2(register(y), register(x)),
             });
         }
         let outputs = program.outputs().iter().map(|&value| register(value)).collect();
@@ -165,7 +163,6 @@ impl Evaluator<'_> {
                     next += 1;
                     cos
                 }
-                Operation::Atan2(y, x) => at(y).atan2(at(x)),
             };
             registers[next] = result;
             next += 1;

@@ -118,19 +118,6 @@ fn constants_that_overflow_stay_unfolded() {
 }
 
 #[test]
-fn substitution_is_simultaneous() {
-    let mut g = Graph::new();
-    let (x, y) = (g.symbol("x"), g.symbol("y"));
-    let quotient = g.quotient(x, y);
-    let swapped = g.substitute(&[quotient], &[(x, y), (y, x)]);
-    assert_eq!(swapped, [g.quotient(y, x)]);
-    let sine = g.sin(x);
-    let both = g.sum(&[sine, Id::ONE, y]);
-    assert_eq!(g.substitute(&[both], &[(x, Id::ZERO), (y, Id::PI)]), [g.sum(&[Id::ONE, Id::PI])]);
-    assert_eq!(g.symbols(&[both]), [x, y]);
-}
-
-#[test]
 fn an_unbound_symbol_is_named() {
     let mut g = Graph::new();
     let x = g.symbol("x");
@@ -212,7 +199,6 @@ enum Make {
     Root(usize),
     Sin(usize),
     Cos(usize),
-    Angle(usize, usize),
 }
 
 fn recipe() -> impl Strategy<Value = Vec<Make>> {
@@ -225,7 +211,6 @@ fn recipe() -> impl Strategy<Value = Vec<Make>> {
         n().prop_map(Make::Root),
         n().prop_map(Make::Sin),
         n().prop_map(Make::Cos),
-        (n(), n()).prop_map(|(a, b)| Make::Angle(a, b)),
     ];
     prop::collection::vec(make, 1..12)
 }
@@ -250,11 +235,6 @@ fn follow(g: &mut Graph, recipe: &[Make]) -> Vec<Id> {
             }
             Make::Sin(a) => g.sin(at(a)),
             Make::Cos(a) => g.cos(at(a)),
-            Make::Angle(a, b) => {
-                let square = g.power(at(b), 2);
-                let across = g.sum(&[Id::ONE, square]);
-                g.atan2(at(a), across)
-            }
         };
         made.push(next);
     }
@@ -295,21 +275,6 @@ proptest! {
             let at = |x: f64| g.evaluate(id, &[("x", x), ("y", y)]).unwrap();
             let well_conditioned = close(at(x), at(x + 1e-12), 1e-9) && at(x).is_finite();
             prop_assert!(!well_conditioned || close(at(x), output, 1e-8), "{} against {output}", at(x));
-        }
-    }
-
-    #[test]
-    fn substituting_a_value_evaluates(recipe in recipe(), x in 1..20_i8, y in 0.5..1.5) {
-        let mut g = Graph::new();
-        let made = follow(&mut g, &recipe);
-        let (symbol, value) = (g.symbol("x"), g.rational(rational(x.into(), 10)));
-        let put = g.substitute(&made, &[(symbol, value)]);
-        for (&id, &put) in made.iter().zip(&put) {
-            let at = |x: f64| g.evaluate(id, &[("x", x), ("y", y)]).unwrap();
-            let x = f64::from(x) / 10.0;
-            let well_conditioned = close(at(x), at(x + 1e-12), 1e-9) && at(x).is_finite();
-            let exact = g.evaluate(put, &[("y", y)]).unwrap();
-            prop_assert!(!well_conditioned || close(at(x), exact, 1e-8), "{} against {exact}", at(x));
         }
     }
 }

@@ -49,14 +49,14 @@ pub fn tilting() -> Case {
     Case { graph: g, function, inputs, outputs }
 }
 
-/// A residual of roots, quotients and angles with its Jacobian and a scalar, for several outputs of each shape.
+/// A residual of roots, quotients, sines and cosines with its Jacobian and a scalar, for several outputs of each shape.
 pub fn strut() -> Case {
     let mut g = Graph::new();
     let [x, y, z, base] = ["x", "y", "z", "B"].map(|name| g.symbol(name));
     let squares = [x, y, z].map(|u| g.power(u, 2));
     let sum = g.sum(&squares);
     let length = g.sqrt(sum);
-    let lean = g.atan2(y, z);
+    let lean = g.linear(&[(Rational::from_integer(2), y), (Rational::from_integer(-1), z)]);
     let (sin, cos) = (g.sin(lean), g.cos(lean));
     let third = Rational::new(1, 3);
     let along = g.quotient(x, length);

@@ -34,7 +34,7 @@ where
 }
 /// A residual and its exact Jacobian.
 ///
-/// 41 multiplications, 13 additions, 3 divisions, 1 square root, 1 sine and cosine, 1 arctangent.
+/// 37 multiplications, 13 additions, 2 divisions, 1 square root, 1 sine and cosine.
 #[must_use]
 #[allow(clippy::all)]
 pub fn strut<T>(x: T, y: T, z: T, b: T, unused: T) -> ([T; 3], [[T; 3]; 3], T)
@@ -44,40 +44,36 @@ where
 {
     let _ = unused;
     let sqrt_2: T = T::SQRT_2();
+    let n2: T = num_traits::AsPrimitive::as_(2f64);
     let n1: T = num_traits::AsPrimitive::as_(1f64);
     let n1_3: T = num_traits::AsPrimitive::as_(1f64 / 3f64);
     let n2_3: T = num_traits::AsPrimitive::as_(2f64 / 3f64);
-    let t1 = y * y;
-    let t2 = z * z;
-    let t3 = x * x + t1 + t2;
-    let t4 = t3.sqrt();
-    let t5 = y.atan2(z);
-    let (sin, cos) = t5.sin_cos();
-    let t6 = n1 / t4;
-    let t7 = x * t6;
-    let t8 = sqrt_2 * t7;
-    let t9 = sin * t8;
-    let t10 = n1 / t3;
-    let t11 = y * t10;
-    let t12 = z * t11;
-    let t13 = z * t10;
-    let t14 = n1 / (t1 + t2);
-    let t15 = z * t14;
-    let t16 = cos * t8;
-    let t17 = y * t14;
-    let length = t4 - b;
-    let turn = cos + n1_3 * t9;
-    let twist = -(n1_3 * t12);
-    let jacobian_0_0 = t7;
-    let jacobian_0_1 = y * t6;
-    let jacobian_0_2 = z * t6;
-    let jacobian_1_0 = n1_3 * (sqrt_2 * t6 * sin) - n1_3 * (x * t10 * t9);
-    let jacobian_1_1 = n1_3 * (t15 * t16) - n1_3 * (t11 * t9) - sin * t15;
-    let jacobian_1_2 = sin * t17 - n1_3 * (t13 * t9) - n1_3 * (t17 * t16);
-    let jacobian_2_0 = n2_3 * (x * t11 * t13);
-    let jacobian_2_1 = n2_3 * (t11 * t12) - n1_3 * t13;
-    let jacobian_2_2 = n2_3 * (t13 * t12) - n1_3 * t11;
-    let lean = t5;
+    let t1 = x * x + y * y + z * z;
+    let t2 = t1.sqrt();
+    let t3 = n2 * y - z;
+    let (sin, cos) = t3.sin_cos();
+    let t4 = n1 / t2;
+    let t5 = x * t4;
+    let t6 = sqrt_2 * sin;
+    let t7 = t5 * t6;
+    let t8 = n1 / t1;
+    let t9 = y * t8;
+    let t10 = z * t9;
+    let t11 = z * t8;
+    let t12 = sqrt_2 * cos * t5;
+    let length = t2 - b;
+    let turn = cos + n1_3 * t7;
+    let twist = -(n1_3 * t10);
+    let jacobian_0_0 = t5;
+    let jacobian_0_1 = y * t4;
+    let jacobian_0_2 = z * t4;
+    let jacobian_1_0 = n1_3 * (t4 * t6) - n1_3 * (x * t8 * t7);
+    let jacobian_1_1 = n2_3 * t12 - n2 * sin - n1_3 * (t9 * t7);
+    let jacobian_1_2 = sin - n1_3 * t12 - n1_3 * (t11 * t7);
+    let jacobian_2_0 = n2_3 * (x * t9 * t11);
+    let jacobian_2_1 = n2_3 * (t9 * t10) - n1_3 * t11;
+    let jacobian_2_2 = n2_3 * (t11 * t10) - n1_3 * t9;
+    let lean = t3;
     (
         [length, turn, twist],
         [

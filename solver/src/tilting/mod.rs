@@ -1,6 +1,6 @@
 //! The tilting table measured with a ball-bar: the paper's two runs fitted sample by sample.
 //!
-//! The regressors are generated from `machines/tilting-table-a.toml`; this module only streams them into a
+//! The regressors are generated from `tilting-table-a` of the catalogue; this module only streams them into a
 //! [`Factor`](crate::lstsq::Factor). Angles in rad, lengths and readings in mm.
 //!
 //! ```

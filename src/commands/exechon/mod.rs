@@ -56,14 +56,14 @@ impl Exechon {
 /// Which machine.
 #[derive(Debug, Args)]
 struct Which {
-    /// A machine file; without it the built-in machines/exechon-xt700.toml.
+    /// A machine file; without it the built-in src/exechon/xt700.toml.
     #[arg(long, value_name = "FILE")]
     machine: Option<PathBuf>,
 }
 
 impl Which {
     fn read(&self) -> Result<Machine<f64>, Failed> {
-        let name = self.machine.clone().unwrap_or_else(|| "machines/exechon-xt700.toml".into());
+        let name = self.machine.clone().unwrap_or_else(|| "src/exechon/xt700.toml".into());
         read_machine(self.machine.as_deref()).map_err(|problem| Failed::Machine(name, problem))
     }
 }
