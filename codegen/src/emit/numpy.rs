@@ -73,7 +73,7 @@ fn function_as(function: &Function, called: &str) -> String {
     }
     if function.results.iter().any(|(_, form)| *form != Form::Scalar) {
         let shapes: Vec<_> = names.inputs.iter().map(|input| format!("np.shape({input})")).collect();
-        text += &format!("    shape = np.broadcast_shapes({})\n", shapes.join(", "));
+        text += &listed("    shape = np.broadcast_shapes(", &shapes, ")\n", 8);
     }
     let mut elements = names.outputs.iter();
     let mut results = Vec::new();
