@@ -62,7 +62,7 @@ fn f32_keeps_the_angular_error() {
     // Ten times and three hundred times closer than a controller needs (0.01 and 0.1 µrad).
     for (n, seeds, bound) in [(360, 20, 1e-3), (36_000, 4, 3e-4)] {
         for estimator in 0..2 {
-            let one = |seed| {
+            let one = |seed: u64| {
                 let samples = simulate(n, 7 + seed);
                 difference(&estimates::<f32>(&samples)[estimator], &estimates::<f64>(&samples)[estimator])
             };
