@@ -22,7 +22,8 @@ fn derivation(c: &mut Criterion) {
         group.bench_function(format!("both readings, order {}", order.get()), |b| b.iter(both));
     }
     group.bench_function("with base parameters", |b| b.iter(|| derive(black_box(&model))));
-    group.bench_function("Rust source", |b| b.iter(|| model_source(black_box(&model), &derived, &Support::of_solver())));
+    group
+        .bench_function("Rust source", |b| b.iter(|| model_source(black_box(&model), &derived, &Support::of_solver())));
     group.finish();
 }
 

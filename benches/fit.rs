@@ -15,9 +15,7 @@ fn fit(c: &mut Criterion) {
     let reading = |a: f64| 0.02 * (3.0 * a).sin();
     let mut group = c.benchmark_group("solver");
     group.bench_function("generated row, run 1", |b| b.iter(|| tilting::tilting(black_box(150.0), black_box(1.1))));
-    group.bench_function("generated row, run 2", |b| {
-        b.iter(|| tilting::separation(black_box(150.0), black_box(1.1)))
-    });
+    group.bench_function("generated row, run 2", |b| b.iter(|| tilting::separation(black_box(150.0), black_box(1.1))));
     let mut joint = Joint::new(BAR).expect("a radius");
     let mut angle = 0.0;
     group.bench_function("row and push, joint", |b| {

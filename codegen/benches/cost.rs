@@ -62,7 +62,7 @@ fn machine(count: usize) -> Model {
 
 /// The coefficients of the first run's linear reading, one for each error it sees.
 fn row(model: &Model) -> String {
-    let linear = reading(model, &model.runs[0], Order::LINEAR).expect("a reading");
+    let linear = reading(model, &model.runs.raw[0], Order::LINEAR).expect("a reading");
     let mut graph = Graph::new();
     let mut elements = Vec::new();
     for (errors, coefficient) in linear.by_errors() {
@@ -70,7 +70,7 @@ fn row(model: &Model) -> String {
         elements.push((name, emit::model::poly(&mut graph, &model.alphabet, &coefficient)));
     }
     let outputs = [Output::array("row", &elements)];
-    let inputs = emit::model::run(model, &derive(model).expect("it derives"), 0).expect("it lowers");
+    let inputs = emit::model::run(model, &derive(model).expect("it derives"), 0.into()).expect("it lowers");
     let inputs = inputs.inputs().to_vec();
     let function = Function::new(&graph, "trunnion", &["The linear reading's row."], inputs, &outputs);
     emit::rust::source(&[function.expect("R and a are all")], "tilting-table-a", &Support::of_solver())
@@ -92,8 +92,8 @@ fn main() {
         let model = machine(count);
         for order in 1..=3 {
             let order = Order::new(order).expect("a small order");
-            let terms = reading(&model, &model.runs[0], order).expect("a reading").terms().len();
-            let times = timed(|| reading(&model, &model.runs[0], order));
+            let terms = reading(&model, &model.runs.raw[0], order).expect("a reading").terms().len();
+            let times = timed(|| reading(&model, &model.runs.raw[0], order));
             show(&format!("{count} axes, order {}, {terms} terms", order.get()), times);
         }
     }

@@ -9,8 +9,8 @@
 //! and in the crate, which needs `trunnion-solver`:
 //! `mod my_table { include!(concat!(env!("OUT_DIR"), "/my-table.rs")); }`.
 
-use crate::problems::{Colour, read_and_derive, render};
 use crate::emit::rust::Support;
+use crate::problems::{Colour, read_and_derive, render};
 use crate::{catalogue, emit};
 use core::fmt;
 use std::path::{Path, PathBuf};

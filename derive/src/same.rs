@@ -87,7 +87,8 @@ fn file_builder_and_macro_give_the_same_equations() {
             z: f64,
         }
     });
-    let (owner, support) = (Owner::Type(format_ident!("TiltingTable")), Support::in_macro(&quote!(::trunnion_solver::generated)));
+    let (owner, support) =
+        (Owner::Type(format_ident!("TiltingTable")), Support::in_macro(&quote!(::trunnion_solver::generated)));
     let items = model_items(&file, &derived, &owner, &support).unwrap();
     assert_eq!(expanded.unwrap().to_string(), items.to_string());
 }

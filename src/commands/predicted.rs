@@ -7,6 +7,7 @@ use clap::Args;
 use std::fmt::Write;
 use trunnion::study::plan::{Intended, Predicted, predict};
 use trunnion::study::{Estimator, Setup, coefficient_unit, unit};
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::AxisKind;
 
 /// How is intended to be measured.
@@ -44,7 +45,7 @@ pub fn range(text: &str) -> Result<(f64, f64), &'static str> {
 
 /// What all runs over one range would give, as text.
 pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Result<String, Refused> {
-    let name = |run: usize| setup.model.runs[run].name.clone();
+    let name = |run: RunId| setup.model.runs[run].name.clone();
     let estimator = Estimator::from(measuring.estimator);
     let p = predict(setup, measuring.over(range)?, estimator).map_err(|e| Refused::fit(setup, &name, &e))?;
     let lengths = setup.model.alphabet.constants().map(|n| format!("{n} = {} mm", setup.constant(n)));
@@ -73,7 +74,7 @@ pub fn function(setup: &Setup, predicted: &Predicted) -> String {
     let Some(largest) = predicted.largest else { return format!("{name}: not seen by these runs") };
     let (unit, scale) = unit(setup.component(predicted.function));
     let axis = setup.model.axis_of(setup.model.functions[predicted.function].error);
-    let axis = axis.and_then(|(i, _)| setup.model.axes().nth(i));
+    let axis = axis.and_then(|(id, _)| setup.model.axis(id));
     let (letter, at, of) = match axis {
         Some(a) if a.kind == AxisKind::Rotary => (a.name.to_lowercase(), largest.at.to_degrees(), "deg"),
         Some(a) => (a.name.to_lowercase(), largest.at, "mm"),

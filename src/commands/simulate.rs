@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use trunnion::data::{Dimension, Known, Sweep, Table, Truth, TruthFunction, Unit};
 use trunnion::study::Setup;
 use trunnion_codegen::emit::model::known_name;
+use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 
 /// Arguments of `simulate`.
@@ -57,8 +58,8 @@ pub fn write(
 
 /// The known functions at the samples of the run that sees most of them.
 fn table(setup: &Setup, measured: &Measured, out: &Path) -> Result<(), Refused> {
-    let most = |r: &usize| setup.derivation.runs[*r].known.len();
-    let Some(run) = (0..setup.derivation.runs.len()).max_by_key(most).filter(|r| most(r) > 0) else { return Ok(()) };
+    let most = |r: &RunId| setup.derivation.runs[*r].known.len();
+    let Some(run) = setup.derivation.runs.keys().max_by_key(most).filter(|r| most(r) > 0) else { return Ok(()) };
     let known = setup.derivation.runs[run]
         .known
         .iter()
@@ -69,13 +70,13 @@ fn table(setup: &Setup, measured: &Measured, out: &Path) -> Result<(), Refused> 
     Ok(Table::write(&out.join("table.csv"), angle, &known, lines)?)
 }
 
-fn dimension(setup: &Setup, function: usize) -> Dimension {
+fn dimension(setup: &Setup, function: FunctionId) -> Dimension {
     if setup.component(function).is_some_and(|c| c.is_rotation()) { Dimension::Angle } else { Dimension::Length }
 }
 
 fn truth(setup: &Setup, simulation: &Simulation, measured: &Measured, radius_mm: f64) -> Truth {
     let (first, last) = ((simulation.from_deg / 5.0).ceil() as i64, (simulation.to_deg / 5.0).floor() as i64);
-    let function = |f: usize| {
+    let function = |f: FunctionId| {
         let error = setup.model.functions[f].error;
         let (unit, scale) = match dimension(setup, f) {
             Dimension::Length => (Unit::Um, 1e3),

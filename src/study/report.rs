@@ -8,6 +8,7 @@ use super::systematic::{Term, systematic};
 use trunnion_codegen::algebra::{Nominal, Poly};
 use trunnion_codegen::basis::Basis;
 use trunnion_codegen::emit::equations;
+use trunnion_codegen::ids::{AxisId, BaseId, FunctionId};
 use trunnion_codegen::model::{AxisKind, Component};
 use trunnion_solver::lstsq::student_t_95;
 
@@ -155,8 +156,8 @@ pub fn report(
     limits: Limits,
     without_table: bool,
 ) -> Result<Report, SetupError> {
-    let name = |b: usize| setup.derivation.base[b].name.clone();
-    let coefficient = |(i, &b): (usize, &usize)| Coefficient {
+    let name = |b: BaseId| setup.derivation.base[b].name.clone();
+    let coefficient = |(i, &b): (usize, &BaseId)| Coefficient {
         name: name(b),
         value: fit.values[i],
         std: fit.covariance[(i, i)].max(0.0).sqrt(),
@@ -197,12 +198,12 @@ fn goes_round(observation: &Observation) -> bool {
     high - low >= 330f64.to_radians()
 }
 
-fn seen_together(setup: &Setup, fit: &Fit, function: usize) -> Option<Warning> {
-    let own = |b: &&usize| {
+fn seen_together(setup: &Setup, fit: &Fit, function: FunctionId) -> Option<Warning> {
+    let own = |b: &&BaseId| {
         let estimates = setup.derivation.base[**b].estimates;
-        estimates.is_some_and(|(f, _)| f == function) && !setup.derivation.is_alone(**b)
+        estimates.is_some_and(|c| c.function == function) && !setup.derivation.is_alone(**b)
     };
-    let sum = |&b: &usize| {
+    let sum = |&b: &BaseId| {
         let base = &setup.derivation.base[b];
         (base.name.clone(), equations::definition(&setup.model, &setup.derivation, base))
     };
@@ -218,13 +219,13 @@ fn curve(
     setup: &Setup,
     observations: &[Observation],
     fit: &Fit,
-    function: usize,
+    function: FunctionId,
     bounds: &[Vec<f64>],
     limits: Limits,
 ) -> Result<Option<Curve>, SetupError> {
     let error = setup.model.functions[function].error;
     let Some((axis, component)) = setup.model.axis_of(error) else { return Ok(None) };
-    let Some((kind, coordinate)) = setup.model.axes().nth(axis).map(|a| (a.kind, a.name.to_lowercase())) else {
+    let Some((kind, coordinate)) = setup.model.axis(axis).map(|a| (a.kind, a.name.to_lowercase())) else {
         return Ok(None);
     };
     let (coordinate_unit, to_inner) = match kind {
@@ -248,8 +249,8 @@ fn curve(
         let (value, std) = fit.function(setup, function, at * to_inner);
         points.push(Point { at, value: value * scale, u95: t * std * scale });
         let sensitivity = fit.sensitivity(setup, observations, function, at * to_inner);
-        let sum = |(w, b): (&Vec<f64>, &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
-        dropped = dropped.max(sensitivity.iter().zip(bounds).map(sum).sum::<f64>() * scale);
+        let sum = |(w, b): (&[f64], &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
+        dropped = dropped.max(sensitivity.observations().zip(bounds).map(sum).sum::<f64>() * scale);
     }
     let coordinates: Vec<f64> = points.iter().map(|p| p.at * to_inner).collect();
     let left = systematic(setup, observations, fit, function, limits, &coordinates)?;
@@ -266,7 +267,7 @@ fn curve(
     }))
 }
 
-fn coordinates(setup: &Setup, observation: &Observation, axis: usize) -> Vec<f64> {
+fn coordinates(setup: &Setup, observation: &Observation, axis: AxisId) -> Vec<f64> {
     let sweeps: Vec<f64> = observation.samples.iter().map(|s| s.sweep).collect();
     setup.exact(observation.run, &sweeps).run().coordinates(axis).flatten().collect()
 }
@@ -274,7 +275,7 @@ fn coordinates(setup: &Setup, observation: &Observation, axis: usize) -> Vec<f64
 /// What leaving out the table costs: for each known function the largest error that one unit of it, of the worst shape, can
 /// cause in an estimated function.
 fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<Warning> {
-    let mut known: Vec<usize> =
+    let mut known: Vec<FunctionId> =
         observations.iter().flat_map(|o| setup.derivation.runs[o.run].known.iter().map(|(f, _)| *f)).collect();
     known.sort_unstable();
     known.dedup();
@@ -287,12 +288,12 @@ fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<
             let (_, known_scale) = unit(setup.component(k));
             let largest = (0..=36).map(|i| first + (last - first) * f64::from(i) / 36.0).map(|x| {
                 let sensitivity = fit.sensitivity(setup, observations, function, x);
-                sensitivity.iter().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
+                sensitivity.observations().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
             });
             cost.push((setup.function_name(function), own, largest.fold(0.0, f64::max) * scale / known_scale));
         }
     }
-    let warning = |(&k, costs): (&usize, Vec<_>)| Warning::TakenAsZero {
+    let warning = |(&k, costs): (&FunctionId, Vec<_>)| Warning::TakenAsZero {
         known: trunnion_codegen::emit::model::known_name(&setup.model, k),
         unit: unit(setup.component(k)).0,
         costs,
@@ -300,7 +301,7 @@ fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<
     known.iter().zip(costs).map(warning).collect()
 }
 
-fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: usize) -> f64 {
+fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: FunctionId) -> f64 {
     let Some(at) = setup.derivation.runs[observation.run].known.iter().position(|(f, _)| *f == known) else {
         return 0.0;
     };
@@ -309,16 +310,17 @@ fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: usize
 }
 
 /// Unit of a base parameter: the reading's mm over that of its regressor.
-pub fn coefficient_unit(setup: &Setup, base: usize) -> String {
+pub fn coefficient_unit(setup: &Setup, base: BaseId) -> String {
     let b = &setup.derivation.base[base];
-    if let Some((function, k)) = b.estimates {
-        let error = setup.model.functions[function].error;
+    if let Some(coefficient) = b.estimates {
+        let function = &setup.model.functions[coefficient.function];
+        let error = function.error;
         let Some((axis, component)) = setup.model.axis_of(error) else { return String::new() };
         let value = if component.is_rotation() { "rad" } else { "mm" };
-        let rotary = setup.model.axes().nth(axis).is_some_and(|a| a.kind == AxisKind::Rotary);
-        return match &setup.model.functions[function].basis {
+        let rotary = setup.model.axis(axis).is_some_and(|a| a.kind == AxisKind::Rotary);
+        return match &function.basis {
             Basis::Polynomials(p) => {
-                let degree = p.get(k).map_or(0, |u| u.0.len().saturating_sub(1));
+                let degree = p.get(usize::from(coefficient.term)).map_or(0, |u| u.0.len().saturating_sub(1));
                 format!("{value}/{}^{degree}", if rotary { "rad" } else { "mm" })
             }
             _ => value.to_owned(),

@@ -13,7 +13,7 @@ mod poly;
 mod rational;
 
 pub use alphabet::{Alphabet, ErrorId, Nominal, NominalId, Quantity, SweepId};
-pub use elimination::{Reduced, reduce, subtract};
+pub use elimination::{Reduced, Row, reduce, subtract};
 pub use fraction::Fraction;
 pub use matrix::{Transform, Vector};
 pub(crate) use matrix::{difference, dot};

@@ -4,7 +4,8 @@ use super::function::{Function, Input, Output};
 use crate::algebra::{Alphabet, Fraction, Nominal, NominalId, Poly, Quantity};
 use crate::basis::Basis;
 use crate::graph::{Graph, Id, Symbol, Unbound};
-use crate::identify::Derivation;
+use crate::identify::{Coefficient, Derivation};
+use crate::ids::{BaseId, FunctionId, RunId, TermId};
 use crate::model::{AxisKind, Model, ReadingKind};
 
 /// What one run's samples become: inputs are the lengths of the set-up and the sweep, outputs the regressors in the order of
@@ -12,7 +13,7 @@ use crate::model::{AxisKind, Model, ReadingKind};
 ///
 /// # Errors
 /// A regressor depends on anything else: a defect of the derivation.
-pub fn run(model: &Model, derivation: &Derivation, run: usize) -> Result<Function, Unbound> {
+pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Function, Unbound> {
     let derived = &derivation.runs[run];
     let alphabet = &model.alphabet;
     let mut graph = Graph::new();
@@ -42,13 +43,13 @@ pub fn run(model: &Model, derivation: &Derivation, run: usize) -> Result<Functio
 /// An estimated function, to be evaluated from an estimate.
 #[derive(Clone, Debug)]
 pub struct EstimatedFunction {
-    /// Its position in [`Model::functions`].
-    pub function: usize,
+    /// Which it is.
+    pub function: FunctionId,
     /// Its basis at a coordinate: inputs are the lengths of the set-up and the coordinate, mm or rad.
     pub basis: Function,
     /// The base parameters that are the coefficients, in the order of the basis; `None` where a coefficient is not among
     /// them, so that what is estimated gives no value.
-    pub coefficients: Option<Vec<usize>>,
+    pub coefficients: Option<Vec<BaseId>>,
 }
 
 /// The estimated functions of a model.
@@ -56,11 +57,14 @@ pub struct EstimatedFunction {
 /// # Errors
 /// A basis depends on a symbol other than a length or the coordinate: a defect of the description.
 pub fn estimated(model: &Model, derivation: &Derivation) -> Result<Vec<EstimatedFunction>, Unbound> {
-    let functions = (0..model.functions.len()).filter(|at| model.functions[*at].estimate);
-    let one = |function: usize| {
-        let carries = |k: usize| derivation.base.iter().position(|b| b.estimates == Some((function, k)));
+    let functions = model.functions.keys().filter(|id| model.functions[*id].estimate);
+    let one = |function: FunctionId| {
+        let carries = |term: TermId| {
+            let own = Some(Coefficient { function, term });
+            derivation.base.position(|b| b.estimates == own)
+        };
         Some(basis(model, function)?.map(|basis| {
-            let coefficients = (0..basis.elements.len()).map(carries).collect();
+            let coefficients = (0..basis.elements.len()).map(|k| carries(TermId::from(k))).collect();
             EstimatedFunction { function, basis, coefficients }
         }))
     };
@@ -68,11 +72,11 @@ pub fn estimated(model: &Model, derivation: &Derivation) -> Result<Vec<Estimated
 }
 
 /// The basis of an estimated function at a coordinate; `None` if it has none.
-fn basis(model: &Model, position: usize) -> Option<Result<Function, Unbound>> {
-    let f = &model.functions[position];
+fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unbound>> {
+    let f = &model.functions[function];
     let name = model.alphabet.error_name(f.error);
     let (axis, _) = model.axis_of(f.error)?;
-    let axis = model.axes().nth(axis)?;
+    let axis = model.axis(axis)?;
     let mut graph = Graph::new();
     let x = graph.symbol(Symbol::Coordinate);
     let values: Vec<Id> = match &f.basis {
@@ -113,7 +117,7 @@ fn basis(model: &Model, position: usize) -> Option<Result<Function, Unbound>> {
 /// # Errors
 /// As [`run`] and [`estimated`].
 pub fn functions(model: &Model, derivation: &Derivation) -> Result<Vec<Function>, Unbound> {
-    let runs = (0..derivation.runs.len()).map(|i| run(model, derivation, i));
+    let runs = derivation.runs.keys().map(|id| run(model, derivation, id));
     let mut functions = runs.collect::<Result<Vec<_>, _>>()?;
     functions.extend(estimated(model, derivation)?.into_iter().map(|f| f.basis));
     Ok(functions)
@@ -141,8 +145,8 @@ pub(super) fn unit(quantity: Quantity) -> &'static str {
 }
 
 /// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`.
-pub fn known_name(model: &Model, position: usize) -> String {
-    model.alphabet.error_name(model.functions[position].error).replace('_', "")
+pub fn known_name(model: &Model, function: FunctionId) -> String {
+    model.alphabet.error_name(model.functions[function].error).replace('_', "")
 }
 
 fn fraction(graph: &mut Graph, alphabet: &Alphabet, f: &Fraction) -> Id {

@@ -89,7 +89,8 @@ fn function_as(function: &Function, called: &str) -> String {
         };
         text += &listed(&format!("    {name} = ["), &own, "]\n", 8);
         // An element that is constant takes the inputs' shape too.
-        text += &format!("    {name} = np.array([np.broadcast_to(k, shape) for k in {name}]).reshape({sizes}, *shape)\n");
+        text +=
+            &format!("    {name} = np.array([np.broadcast_to(k, shape) for k in {name}]).reshape({sizes}, *shape)\n");
         results.push(name.clone());
     }
     text += &format!("    return {}\n", results.join(", "));

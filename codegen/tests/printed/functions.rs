@@ -45,7 +45,8 @@ pub fn tilting() -> Case {
     let outputs = elements.iter().map(|(_, id)| *id).collect();
     let docs = ["Regressors of the tilting run at angle `a` in rad for bar length `R` in mm."];
     let inputs = vec!["R", "a"];
-    let function = Function::new(&g, "tilting", &docs, Input::all(&inputs), &[Output::array("row", &elements)]).unwrap();
+    let function =
+        Function::new(&g, "tilting", &docs, Input::all(&inputs), &[Output::array("row", &elements)]).unwrap();
     Case { graph: g, function, inputs, outputs }
 }
 

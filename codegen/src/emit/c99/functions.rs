@@ -1,12 +1,13 @@
 //! The model's own functions: a push for each run, a value for each estimated function.
 
 use super::{c, model};
-use crate::emit::layout::listed;
 use crate::emit::c::Real;
 use crate::emit::function::Function;
+use crate::emit::layout::listed;
 use crate::emit::model::EstimatedFunction;
 use crate::graph::Unbound;
 use crate::identify::Derivation;
+use crate::ids::{FunctionId, RunId};
 use crate::model::Model;
 
 /// What goes into the header, and what into the source.
@@ -32,7 +33,7 @@ impl Locals {
 
 pub(super) fn functions(model: &Model, derivation: &Derivation, real: Real, prefix: &str) -> Result<Printed, Unbound> {
     let mut printed = Printed::default();
-    for (at, run) in derivation.runs.iter().enumerate() {
+    for (at, run) in derivation.runs.iter_enumerated() {
         if !run.regressors.is_empty() {
             let function = model::run(model, derivation, at)?;
             push(&mut printed, model, derivation, at, function, real, prefix);
@@ -54,7 +55,7 @@ fn push(
     printed: &mut Printed,
     model: &Model,
     derivation: &Derivation,
-    at: usize,
+    at: RunId,
     function: Function,
     real: Real,
     prefix: &str,
@@ -66,7 +67,7 @@ fn push(
     let mut locals = Locals(inputs.clone());
     locals.0.extend([row.clone(), "N".to_owned()]);
     let [fit, reading] = ["fit", "reading"].map(|name| locals.name(name));
-    let error = |f: usize| model.alphabet.error_name(model.functions[f].error);
+    let error = |f: FunctionId| model.alphabet.error_name(model.functions[f].error);
     let known: Vec<String> = run.known.iter().map(|(f, _)| locals.name(error(*f))).collect();
     let [place, seen, all, factors, i] = ["place", "seen", "row", "factors", "i"].map(|name| locals.name(name));
 

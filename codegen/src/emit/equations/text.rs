@@ -2,8 +2,8 @@
 
 use super::document::Document;
 use super::printer::Style;
-use crate::emit::layout::{equation, prose};
 use crate::algebra::SweepId;
+use crate::emit::layout::{equation, prose};
 use crate::identify::Derivation;
 use crate::model::Model;
 use core::fmt::Write;
@@ -28,14 +28,14 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
             let _ = writeln!(out, "{name}: the angle of {} to {}", axis.name, r.axis);
         }
     }
-    for (i, run) in derivation.runs.iter().enumerate() {
+    for (i, run) in derivation.runs.iter_enumerated() {
         let label = d.label(i);
         let start = format!("  {label} = ");
         let _ = writeln!(out, "\nRun {}: the linear reading\n{}", run.name, equation(&start, &d.reading(run), 7));
         let _ = writeln!(out, "with its functions put in\n{}", equation(&start, &d.equation(run), 7));
     }
     let _ = writeln!(out, "\nFunctions");
-    for (i, f) in model.functions.iter().enumerate() {
+    for (i, f) in model.functions.iter_enumerated() {
         let name = d.error(f.error);
         let x = d.coordinate(i);
         let _ = match d.function(i, &x) {

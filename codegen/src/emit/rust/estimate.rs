@@ -38,7 +38,7 @@ pub(super) fn estimate(printed: &Printed) -> TokenStream {
 fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Option<TokenStream> {
     let module = &printed.support.module;
     let (function, model) = (&estimated.function, printed.model);
-    let places = function.coefficients.as_ref()?.iter().map(|b| Literal::usize_unsuffixed(*b));
+    let places = function.coefficients.as_ref()?.iter().map(|b| Literal::usize_unsuffixed((*b).into()));
     let error = model.functions[function.function].error;
     let (name, unit) = (model.alphabet.error_name(error), unit(model.alphabet.error_quantity(error)));
     let called = ident(&methods.claim(&function.basis.name));

@@ -21,8 +21,7 @@ pub(super) struct Estimator {
 pub(super) fn joint(printed: &Printed) -> Estimator {
     let (module, real, size, blank) =
         (&printed.support.module, &printed.support.real, printed.size(), blank(printed.support));
-    let (name, estimate, lengths) =
-        (printed.type_name("Joint"), printed.type_name("Estimate"), printed.lengths_type());
+    let (name, estimate, lengths) = (printed.type_name("Joint"), printed.type_name("Estimate"), printed.lengths_type());
     let new = new(printed, &quote!(factor: #module::Factor::new()));
     let pushes = printed.rows.iter().zip(&printed.derivation.runs).filter(|(_, run)| !run.regressors.is_empty());
     let pushes = pushes.map(|(row, run)| {
@@ -70,7 +69,11 @@ pub(super) fn joint(printed: &Printed) -> Estimator {
             }
         }
     };
-    Estimator { constant: TokenStream::new(), items, constructor: constructor(printed, "fit", &name, "A fit of all runs at once, without samples yet.") }
+    Estimator {
+        constant: TokenStream::new(),
+        items,
+        constructor: constructor(printed, "fit", &name, "A fit of all runs at once, without samples yet."),
+    }
 }
 
 /// `new`, which checks the lengths; `rest` are the other fields.
@@ -124,7 +127,8 @@ pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenS
         .collect();
     let told: Vec<String> = known.iter().map(|(name, unit)| format!("`{name}` ({unit})")).collect();
     let also = if told.is_empty() { String::new() } else { format!(" and the known {} there", told.join(", ")) };
-    let doc = docs(&[format!("Takes a sample of run `{}`: the sweep `{sweep}` (rad), the reading (mm){also}.", run.name)]);
+    let doc =
+        docs(&[format!("Takes a sample of run `{}`: the sweep `{sweep}` (rad), the reading (mm){also}.", run.name)]);
     let (sweep, known): (Ident, Vec<Ident>) = (ident(&sweep), known.iter().map(|(name, _)| ident(name)).collect());
     let body = match known.is_empty() {
         true => quote!(let row = #function(#lengths #sweep);),

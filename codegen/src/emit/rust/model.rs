@@ -13,6 +13,7 @@ use crate::emit::model::{EstimatedFunction, estimated, run};
 use crate::emit::names::Scope;
 use crate::graph::Unbound;
 use crate::identify::Derivation;
+use crate::ids::RunId;
 use crate::model::Model;
 
 /// Where the items of a model belong.
@@ -39,7 +40,7 @@ pub(super) struct Printed<'a> {
 /// A run's row.
 pub(super) struct Row {
     /// Its place in the model.
-    pub run: usize,
+    pub run: RunId,
     pub function: Function,
     pub name: Ident,
     /// The constant that says which base parameters it holds.
@@ -62,13 +63,13 @@ impl<'a> Printed<'a> {
         let mut functions = Scope::new(LOCAL, &["fit", "two_step"]);
         let mut constants = Scope::new(CONSTANT, &["NAMES", "STEPS"]);
         let mut fields = Scope::new(LOCAL, &[]);
-        let row = |at: usize| {
+        let row = |at: RunId| {
             let function = run(model, derivation, at)?;
             let plain = CONSTANT.sanitised(&function.name).to_uppercase();
             let (name, positions) = (functions.claim(&function.name), constants.claim_as(&plain));
             Ok(Row { run: at, name: ident(&name), positions: ident(&positions), function })
         };
-        let rows = (0..derivation.runs.len()).map(row).collect::<Result<_, _>>()?;
+        let rows = derivation.runs.keys().map(row).collect::<Result<_, _>>()?;
         let own = estimated(model, derivation)?.into_iter();
         let own = own.map(|function| Estimated { name: ident(&functions.claim(&function.basis.name)), function });
         let lengths = model.alphabet.constants().map(|name| (ident(&fields.claim(name)), name.to_owned()));
@@ -129,7 +130,7 @@ pub fn model_items(
     let positions = printed.rows.iter().zip(&derivation.runs).map(|(row, run)| {
         let constant = &row.positions;
         let doc = format!(" Positions in `NAMES` of the base parameters that run `{}` sees.", run.name);
-        let seen = run.regressors.iter().map(|(b, _)| Literal::usize_unsuffixed(*b));
+        let seen = run.regressors.iter().map(|(b, _)| Literal::usize_unsuffixed((*b).into()));
         let n = Literal::usize_unsuffixed(run.regressors.len());
         quote!(#blank #[doc = #doc] pub const #constant: [usize; #n] = [#(#seen),*];)
     });

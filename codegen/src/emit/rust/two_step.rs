@@ -8,14 +8,15 @@ use super::joint::{Estimator, constructor, merge, new, push};
 use super::model::Printed;
 use super::{blank, ident};
 use crate::identify::DerivedRun;
+use crate::ids::BaseId;
 
 /// Which base parameters a factor of each step has for its columns.
 struct Steps {
-    first: Vec<usize>,
+    first: Vec<BaseId>,
     /// Only the second step sees these.
-    own: Vec<usize>,
+    own: Vec<BaseId>,
     /// The first step gives these to the second.
-    given: Vec<usize>,
+    given: Vec<BaseId>,
     /// Whether each run belongs to the second step.
     is_second: Vec<bool>,
 }
@@ -29,24 +30,24 @@ impl Steps {
         let is_second: Vec<bool> = runs.iter().map(estimates).collect();
         let seen = |second: bool| {
             let of = runs.iter().zip(&is_second).filter(|(_, is)| **is == second);
-            let mut columns: Vec<usize> = of.flat_map(|(run, _)| run.regressors.iter().map(|(b, _)| *b)).collect();
+            let mut columns: Vec<BaseId> = of.flat_map(|(run, _)| run.regressors.iter().map(|(b, _)| *b)).collect();
             columns.sort_unstable();
             columns.dedup();
             columns
         };
         let first = seen(false);
-        let (given, own): (Vec<usize>, Vec<usize>) = seen(true).into_iter().partition(|b| first.contains(b));
+        let (given, own): (Vec<BaseId>, Vec<BaseId>) = seen(true).into_iter().partition(|b| first.contains(b));
         (!first.is_empty() && !own.is_empty()).then_some(Self { first, own, given, is_second })
     }
 
     /// The columns of the second step's factor.
-    fn second(&self) -> Vec<usize> {
+    fn second(&self) -> Vec<BaseId> {
         [self.own.as_slice(), &self.given].concat()
     }
 }
 
-fn literals(numbers: &[usize]) -> TokenStream {
-    let numbers = numbers.iter().map(|n| Literal::usize_unsuffixed(*n));
+fn literals(positions: &[BaseId]) -> TokenStream {
+    let numbers = positions.iter().map(|&b| Literal::usize_unsuffixed(b.into()));
     quote!([#(#numbers),*])
 }
 
@@ -65,8 +66,9 @@ pub(super) fn two_step(printed: &Printed) -> Option<Estimator> {
     let runs = printed.rows.iter().zip(&printed.derivation.runs).zip(&steps.is_second);
     let pushes = runs.filter(|((_, run), _)| !run.regressors.is_empty()).map(|((row, run), &is_second)| {
         let (factor, columns) = if is_second { (quote!(second), &second) } else { (quote!(first), &steps.first) };
-        let place = |(b, _): &(usize, _)| columns.iter().position(|column| column == b);
-        let places = literals(&run.regressors.iter().filter_map(place).collect::<Vec<_>>());
+        let place = |(b, _): &(BaseId, _)| columns.iter().position(|column| column == b);
+        let places = run.regressors.iter().filter_map(place).map(Literal::usize_unsuffixed);
+        let places = quote!([#(#places),*]);
         push(printed, row, run, &quote!(self.#factor.push(&#module::scattered(&#places, &row), reading)))
     });
     let merge = merge(printed, &[quote!(first), quote!(second)]);
