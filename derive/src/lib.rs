@@ -1,6 +1,45 @@
 //! Macros that turn a user's own machine into a generated, `no_std` measurement model.
 //!
+//! ```
+//! use trunnion_solver::Machine;
+//!
+//! /// A rotary table under two slides: the tool stays R ahead of a ball at the distance L from the axis.
+//! #[derive(Machine)]
+//! #[machine(constants(R, L), estimate(ECC))]
+//! #[run(
+//!     tangential,
+//!     sweep = "c",
+//!     at(C = "c", X = "L*cos(c) - R*sin(c)", Y = "L*sin(c) + R*cos(c)"),
+//!     workpiece_ball(at("L", "0", "0"), setup(w_x, w_y, w_z)),
+//!     tool_ball(setup(t_x, t_y, t_z)),
+//!     bar = "R"
+//! )]
+//! #[function(EXC = known, EYC = known, ECC = fourier(2))]
+//! #[function(EXX = polynomial(2), EYX = polynomial(1), ECX = zero, EXY = zero, EYY = polynomial(2))]
+//! pub struct Table {
+//!     #[workpiece(rotary = "z", location(EX0C, EY0C, EC0C))]
+//!     pub c: f64,
+//!     #[tool(linear = "x")]
+//!     pub x: f64,
+//!     #[tool(linear = "y", location("EC(0X)Y"))]
+//!     pub y: f64,
+//! }
+//!
+//! assert_eq!(Table::NAMES[..4], ["ECC_cos1", "ECC_sin1", "ECC_cos2", "ECC_sin2"]);
+//! ```
+//!
 //! The crate that uses [`Machine`] needs `trunnion-solver` and nothing else; enable its feature `derive`.
+//!
+//! | attribute | on | says |
+//! |---|---|---|
+//! | `#[machine(…)]` | the struct | `constants`, `estimate`, `order`, `title`, `notation`, `names` of the model |
+//! | `#[run(NAME, …)]` | the struct, one a run | `sweep`, `at`, `workpiece_ball`, `tool_ball`, and `bar` or `displacement` |
+//! | `#[function(ERROR = …)]` | the struct | what is assumed of motion errors: `polynomial`, `fourier`, `known`, `zero` |
+//! | `#[workpiece(…)]`, `#[tool(…)]` | a field | an axis on that side: `rotary` or `linear`, `location`, `name` |
+//!
+//! Each means what the key of the same name means in a
+//! [model file](https://github.com/trunnion-metrology/trunnion/blob/main/docs/model-file.md). What cannot be derived is a compiler error
+//! at the text that is to blame, in the words a model file's mistake has.
 
 mod machine;
 mod parse;
