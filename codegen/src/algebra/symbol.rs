@@ -13,7 +13,7 @@ pub struct SweepId(pub(super) u8);
 pub struct ErrorId(pub(super) u16);
 
 impl ErrorId {
-    /// Position in [`Alphabet::errors`].
+    /// Position in [`Alphabet::errors`](super::Alphabet::errors).
     pub fn index(self) -> usize {
         usize::from(self.0) - 1
     }
