@@ -7,9 +7,9 @@ use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 use trunnion::data::{Dimension, Known, Radius, Sweep, Table};
 use trunnion::study::{Estimator, Observation, Sample, Setup, fit, report};
+use trunnion_codegen::basis::Coordinate;
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::ids::{FunctionId, RunId};
-use trunnion_codegen::model::Coordinate;
 use typed_index_collections::{TiSlice, TiVec, ti_vec};
 
 /// Arguments of `fit`.

@@ -1,11 +1,11 @@
 //! A model with numbers for its constants, ready to evaluate.
 
-use trunnion_codegen::algebra::{Fraction, Poly};
+use trunnion_codegen::algebra::{Fraction, Poly, at};
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
 use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, derive};
 use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId, TermId};
-use trunnion_codegen::model::{self, Component, Model};
+use trunnion_codegen::model::{Component, Model};
 use typed_index_collections::TiVec;
 
 /// A model, its derivation, and the lengths of the set-up in mm.
@@ -97,7 +97,7 @@ impl Setup {
 
     /// Definitions of the base parameters with the constants' values put in: parameter and factor.
     pub fn definitions(&self) -> TiVec<BaseId, Vec<(ParameterId, f64)>> {
-        let number = |p: &Poly| model::at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
+        let number = |p: &Poly| at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
         let factor = |f: &Fraction| number(f.numerator()) / f.denominator().map_or(1.0, number);
         let definition = |b: &BaseParameter| b.definition.iter().map(|(j, f)| (*j, factor(f))).collect();
         self.derivation.base.iter().map(definition).collect()

@@ -1,9 +1,10 @@
 //! Exact algebra: sparse polynomials with rational coefficients, truncated in the errors while they multiply.
 //!
-//! After this room every expression is exact or an [`AlgebraError`]; no floating-point number and no wrong
-//! digit can leave it. It knows symbols, not machines: what a symbol means is decided in `kinematics`.
+//! After this room every expression is exact or an [`AlgebraError`]; no wrong digit can leave it, and a
+//! floating-point number only where one is asked for. It knows symbols, not machines: what a symbol means is decided in `kinematics`.
 
 mod alphabet;
+mod angle;
 mod elimination;
 mod fraction;
 mod gcd;
@@ -11,8 +12,11 @@ mod matrix;
 mod monomial;
 mod poly;
 mod rational;
+mod symbol;
+mod value;
 
-pub use alphabet::{Alphabet, ErrorId, Nominal, NominalId, Quantity, SweepId};
+pub use alphabet::{Alphabet, Nominal, Quantity};
+pub use angle::Angle;
 pub use elimination::{Reduced, Row, reduce, subtract};
 pub use fraction::Fraction;
 pub use matrix::{Transform, Vector};
@@ -20,6 +24,8 @@ pub(crate) use matrix::{difference, dot};
 pub use monomial::{MAX_ERROR_ORDER, MAX_NOMINALS, Monomial, Powers};
 pub use poly::{Order, Poly, Term};
 pub use rational::{Rational, integer, to_f64};
+pub use symbol::{ErrorId, NominalId, SweepId};
+pub use value::{at, nominal_value};
 
 /// Why an exact computation could not be carried out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! All polynomials up to a degree that satisfy linear conditions, exactly: eq. (10) from its conditions.
 
 use super::Univariate;
-use crate::algebra::{AlgebraError, Alphabet, Fraction, Order, Poly, Rational, Row, reduce};
+use crate::algebra::{AlgebraError, Alphabet, Fraction, Order, Poly, Row, reduce};
 
 /// A homogeneous linear condition `Σ factor · f⁽ⁿ⁾(point) = 0`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,10 +37,10 @@ pub fn satisfying(degree: u8, conditions: &[Condition], alphabet: &Alphabet) -> 
     let (zeros, rest) = split_zeros(conditions, alphabet)?;
     let mut factor = Univariate(vec![Poly::one()]);
     for zero in &zeros {
-        factor = times(&factor, &Univariate(vec![zero.negated(), Poly::one()]))?;
+        factor = factor.times(&Univariate(vec![zero.negated(), Poly::one()]))?;
     }
     let unknowns = (usize::from(degree) + 1).checked_sub(zeros.len()).ok_or(NoBasis::OnlyZero)?;
-    let candidates = (0..unknowns).map(|n| times(&factor, &Univariate::power(n))).collect::<Result<Vec<_>, _>>()?;
+    let candidates = (0..unknowns).map(|n| factor.times(&Univariate::power(n))).collect::<Result<Vec<_>, _>>()?;
     let mut rows = Vec::new();
     for condition in &rest {
         let apply = |f: &Univariate| Ok(Fraction::whole(value(condition, f)?.normal(alphabet)?));
@@ -52,7 +52,7 @@ pub fn satisfying(degree: u8, conditions: &[Condition], alphabet: &Alphabet) -> 
         let mut f = Univariate(Vec::new());
         for (coefficient, candidate) in g.iter().zip(&candidates) {
             let coefficient = coefficient.as_poly().ok_or(NoBasis::NotPolynomial)?;
-            f = plus(&f, &times(&Univariate(vec![coefficient.clone()]), candidate)?)?;
+            f = f.plus(&Univariate(vec![coefficient.clone()]).times(candidate)?)?;
         }
         let mut coefficients = f.0.iter().map(|c| c.normal(alphabet)).collect::<Result<Vec<_>, _>>()?;
         let length = coefficients.iter().rposition(|c| !c.is_zero()).map_or(0, |n| n + 1);
@@ -101,37 +101,15 @@ fn split_zeros(conditions: &[Condition], alphabet: &Alphabet) -> Result<(Vec<Pol
 fn value(condition: &Condition, f: &Univariate) -> Result<Poly, AlgebraError> {
     let mut sum = Poly::ZERO;
     for (n, point, factor) in &condition.terms {
-        sum = sum.plus(&derivative(f, *n)?.at(point)?.times(factor, Order::NOMINAL)?)?;
+        sum = sum.plus(&f.derivative(*n)?.at(point)?.times(factor, Order::NOMINAL)?)?;
     }
     Ok(sum)
-}
-
-fn derivative(f: &Univariate, n: u32) -> Result<Univariate, AlgebraError> {
-    (0..n).try_fold(f.clone(), |f, _| {
-        let lowered = f.0.iter().enumerate().skip(1).map(|(k, c)| c.scaled(&Rational::from(k as i128)));
-        Ok(Univariate(lowered.collect::<Result<_, _>>()?))
-    })
-}
-
-fn times(f: &Univariate, g: &Univariate) -> Result<Univariate, AlgebraError> {
-    let mut product = vec![Poly::ZERO; (f.0.len() + g.0.len()).saturating_sub(1)];
-    for (i, a) in f.0.iter().enumerate() {
-        for (j, b) in g.0.iter().enumerate() {
-            product[i + j] = product[i + j].plus(&a.times(b, Order::NOMINAL)?)?;
-        }
-    }
-    Ok(Univariate(product))
-}
-
-fn plus(f: &Univariate, g: &Univariate) -> Result<Univariate, AlgebraError> {
-    let zero = Poly::ZERO;
-    let coefficient = |n: usize| f.0.get(n).unwrap_or(&zero).plus(g.0.get(n).unwrap_or(&zero));
-    (0..f.0.len().max(g.0.len())).map(coefficient).collect::<Result<_, _>>().map(Univariate)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::Rational;
 
     fn at(n: u32, turns: i128, factor: i128) -> (u32, Poly, Poly) {
         (n, Poly::nominal(Alphabet::PI).scaled(&Rational::from(2 * turns)).unwrap(), Poly::integer(factor))

@@ -1,38 +1,12 @@
 //! One column per physical parameter: its coefficient in every run, the basis functions put in.
 
-use super::DeriveError;
+use super::derivation::DeriveError;
+use super::parameter::{Coefficient, Origin, Parameter};
 use crate::algebra::{ErrorId, Order, Poly};
 use crate::basis::Basis;
 use crate::ids::{FunctionId, ParameterId, RunId, TermId};
 use crate::model::Model;
 use typed_index_collections::{TiSlice, TiVec, ti_vec};
-
-/// A physical parameter: what a person could measure or align, if it could be told apart.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Parameter {
-    /// `o_ya`, `d_yy1`, `w_z1`.
-    pub name: String,
-    /// Where it comes from.
-    pub origin: Origin,
-}
-
-/// Where a parameter comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
-    /// A location or set-up error.
-    Constant(ErrorId),
-    /// A coefficient of a function.
-    Coefficient(Coefficient),
-}
-
-/// What a function of a basis is multiplied with in the sum for a motion error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Coefficient {
-    /// The motion error's function.
-    pub function: FunctionId,
-    /// The function of its basis.
-    pub term: TermId,
-}
 
 /// A parameter with its coefficient in the reading of every run, products left as they stand.
 type Column = (Parameter, TiVec<RunId, Poly>);

@@ -4,8 +4,9 @@
 //! is taken out first; the reduced rows of the rest are the definitions of new base parameters, and a base parameter's
 //! regressor is its pivot's own column of that rest.
 
-use super::columns::{Columns, Origin, Parameter};
-use super::{BaseParameter, Derivation, DeriveError, DerivedRun};
+use super::columns::Columns;
+use super::derivation::{BaseParameter, Derivation, DeriveError, DerivedRun};
+use super::parameter::{Origin, Parameter};
 use crate::algebra::{AlgebraError, Alphabet, Fraction, Monomial, Poly, Row, integer, reduce, subtract};
 use crate::ids::{BaseId, ParameterId, RunId};
 use crate::model::Model;

@@ -4,7 +4,8 @@
 //! `SM · TM · EM`, they follow it. OM and SM are one matrix here: `OM · SM` is SM with OM's translation.
 
 use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, Transform, Vector};
-use crate::model::{Axis, AxisKind, Ball, Coordinate, Model, Run};
+use crate::basis::Coordinate;
+use crate::model::{Axis, AxisKind, Ball, Model, Run};
 
 /// The workpiece ball and the tool ball in machine coordinates, eqs. (3) and (8), mm.
 pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[Vector; 2], AlgebraError> {

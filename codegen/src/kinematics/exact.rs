@@ -2,9 +2,9 @@
 //!
 //! What a simulated instrument reads comes from here, so that a fit is never tested against its own linear model.
 
-use crate::algebra::{ErrorId, Poly};
+use crate::algebra::{ErrorId, Poly, at};
 use crate::ids::AxisId;
-use crate::model::{Axis, AxisKind, Ball, Model, Run, at};
+use crate::model::{Axis, AxisKind, Ball, Model, Run};
 use typed_index_collections::TiVec;
 
 /// Values of the errors of one machine: mm and rad.

@@ -1,18 +1,9 @@
 //! The ball-bar: `(R + ΔR)² = |WB − TB|²`, eq. (4), solved for ΔR to any order.
 
-use super::ReadingError;
-use crate::algebra::{AlgebraError, Monomial, NominalId, Order, Poly, Rational, difference, dot, integer};
+use super::error::{ReadingError, length};
+use crate::algebra::{Monomial, NominalId, Order, Poly, Rational, difference, dot, integer};
 use crate::kinematics::ball_positions;
 use crate::model::{Model, Run};
-
-/// The nominal distance of the balls.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Length {
-    /// A single term, mm.
-    Exactly(Poly),
-    /// The square root of this, mm².
-    RootOf(Poly),
-}
 
 /// ΔR up to `order` errors.
 ///
@@ -38,18 +29,4 @@ pub(super) fn deviation(model: &Model, run: &Run, radius: NominalId, order: Orde
         sum = sum.plus(&power.scaled(&binomial)?)?;
     }
     Ok(sum.normal(alphabet)?)
-}
-
-pub(super) fn length(square: &Poly) -> Result<Length, AlgebraError> {
-    if let [(m, c)] = square.terms() {
-        let half: Vec<i8> = m.powers().iter().map(|p| p / 2).collect();
-        let root = |n: i128| (n >= 0).then(|| n.unsigned_abs().isqrt() as i128);
-        if let (Ok(powers), Some(n), Some(d)) = (half.try_into(), root(*c.numer()), root(*c.denom())) {
-            let candidate = Poly::term(Monomial::of_powers(powers), Rational::new(n, d));
-            if candidate.times(&candidate, Order::NOMINAL)? == *square {
-                return Ok(Length::Exactly(candidate));
-            }
-        }
-    }
-    Ok(Length::RootOf(square.clone()))
 }

@@ -1,7 +1,6 @@
 //! The displacement of the tool ball against the workpiece ball along one direction: an R-test's channel, a probed sphere.
 
-use super::ReadingError;
-use super::bar::length;
+use super::error::{ReadingError, length};
 use crate::algebra::{Order, Poly, Vector, difference, dot};
 use crate::kinematics::ball_positions;
 use crate::model::{Model, Run};

@@ -1,7 +1,8 @@
 //! What an instrument reads exactly: nothing truncated, at any sizes of the errors.
 
+use crate::algebra::at;
 use crate::kinematics::{ErrorValues, ExactRun, Point};
-use crate::model::{Model, ReadingKind, Run, at};
+use crate::model::{Model, ReadingKind, Run};
 
 /// A run and its instrument with everything nominal worked out at each of its samples; only the errors are missing.
 #[derive(Clone, Debug)]

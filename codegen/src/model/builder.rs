@@ -19,7 +19,8 @@
 //! ```
 
 use super::AxisKind;
-use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Text};
+use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun};
+use crate::source::Text;
 
 fn texts<I: IntoIterator<Item: Into<Text>>>(items: I) -> Vec<Text> {
     items.into_iter().map(Into::into).collect()

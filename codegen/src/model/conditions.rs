@@ -1,24 +1,15 @@
 //! Conditions as text: `f'(2*pi) = f'(0)`.
 
-use super::draft::Text;
-use super::evaluate::Scope;
-use super::expression::{Expr, Node, Operator, parse_equation};
-use super::resolve::Resolver;
-use super::{EvaluationError, ProblemKind};
 use crate::algebra::{Order, Poly};
 use crate::basis::Condition;
+use crate::expression::{EvaluationError, Expr, Meaning, Node, Operator, Scope};
 
-/// The condition `left − right = 0`.
-pub(super) fn condition(resolver: &mut Resolver, text: &Text) -> Option<Condition> {
-    let (left, right) = resolver.parsed(text, parse_equation(&text.value))?;
-    let scope = Scope { alphabet: &resolver.alphabet, sweep: None };
+/// The condition `left − right = 0`; `None` if it is not linear and homogeneous in f.
+pub(super) fn condition(scope: &Scope, left: &Expr, right: &Expr) -> Result<Option<Condition>, EvaluationError> {
     let mut terms = Vec::new();
-    let read = collect(&scope, &left, &Poly::one(), &mut terms)
-        .and_then(|l| Ok(l && collect(&scope, &right, &Poly::integer(-1), &mut terms)?));
-    match resolver.meaning(text, read)? {
-        true if !terms.is_empty() => Some(Condition { terms }),
-        _ => resolver.problem(&text.span, ProblemKind::NotACondition),
-    }
+    let linear =
+        collect(scope, left, &Poly::one(), &mut terms)? && collect(scope, right, &Poly::integer(-1), &mut terms)?;
+    Ok((linear && !terms.is_empty()).then_some(Condition { terms }))
 }
 
 /// Adds `factor · e` to `terms`; false if e is not linear and homogeneous in f.
@@ -42,7 +33,7 @@ fn collect(
         }
         Node::Binary(Operator::Times, x, y) if !has_f(x) => {
             let scaled = scope.poly(x)?.times(factor, Order::NOMINAL);
-            collect(scope, y, &scaled.map_err(|a| (e.span.clone(), super::Meaning::Algebra(a)))?, terms)
+            collect(scope, y, &scaled.map_err(|a| (e.span.clone(), Meaning::Algebra(a)))?, terms)
         }
         _ if !has_f(e) => Ok(scope.poly(e)?.is_zero()),
         _ => Ok(false),

@@ -3,12 +3,11 @@
 //! A [`Model`] is consistent by construction: it comes from a [`super::Draft`], which a model file, the builder and the
 //! derive macro all fill, and whose `build` refuses what the later rooms could not handle.
 
-use super::draft::Text;
-use super::evaluate::Angle;
-use super::expression::Span;
-use crate::algebra::{Alphabet, ErrorId, NominalId, Poly, SweepId, Vector};
-use crate::basis::Basis;
+use crate::algebra::{Alphabet, ErrorId, NominalId, SweepId, Vector};
+use crate::basis::{Basis, Coordinate};
 use crate::ids::{AxisId, FunctionId, RunId};
+use crate::iso::{Component, Notation};
+use crate::source::{Span, Text};
 use typed_index_collections::TiVec;
 
 /// A machine, the runs that measure it, and what is assumed of its errors.
@@ -19,7 +18,7 @@ pub struct Model {
     /// One line for people.
     pub title: String,
     /// How errors are called.
-    pub notation: super::Notation,
+    pub notation: Notation,
     /// All symbols.
     pub alphabet: Alphabet,
     /// Axes between the machine's base and the workpiece, from the base outwards.
@@ -70,40 +69,6 @@ pub struct Function {
     pub estimate: bool,
     /// Where it is described.
     pub place: Span,
-}
-
-/// The six components of an error, ISO 230-1's order: X Y Z A B C.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Component(u8);
-
-impl Component {
-    /// X Y Z A B C
-    pub const ALL: [Self; 6] = [Self(0), Self(1), Self(2), Self(3), Self(4), Self(5)];
-
-    /// ISO letter: X, Y, Z for displacements, A, B, C for rotations about them.
-    pub fn letter(self) -> char {
-        ['X', 'Y', 'Z', 'A', 'B', 'C'][usize::from(self.0)]
-    }
-
-    /// The component with an ISO letter.
-    pub fn from_letter(letter: char) -> Option<Self> {
-        Self::ALL.into_iter().find(|c| c.letter() == letter)
-    }
-
-    /// Position in X Y Z A B C.
-    pub fn index(self) -> usize {
-        usize::from(self.0)
-    }
-
-    /// True for A, B, C.
-    pub fn is_rotation(self) -> bool {
-        self.0 >= 3
-    }
-
-    /// The direction it acts along or about: x, y or z.
-    pub fn direction(self) -> char {
-        ['x', 'y', 'z'][usize::from(self.0 % 3)]
-    }
 }
 
 /// One axis with its errors.
@@ -160,28 +125,6 @@ pub struct Run {
     pub reading: ReadingKind,
     /// Where its name and its reading are described.
     pub places: [Span; 2],
-}
-
-/// Where an axis is along a run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Coordinate {
-    /// At its zero position, not moving: its errors are constant and counted with the set-up errors of the ball it carries.
-    Rest,
-    /// A linear axis, mm.
-    Linear(Poly),
-    /// A rotary axis, rad.
-    Rotary(Angle),
-}
-
-impl Coordinate {
-    /// The coordinate as a polynomial in the sweep, its sine and cosine; `None` at rest.
-    pub fn poly(&self) -> Option<&Poly> {
-        match self {
-            Self::Rest => None,
-            Self::Linear(poly) => Some(poly),
-            Self::Rotary(angle) => Some(&angle.poly),
-        }
-    }
 }
 
 /// A ball of the instrument.

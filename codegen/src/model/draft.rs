@@ -1,24 +1,9 @@
 //! A machine as it was written down: texts with their places, nothing checked yet.
 //!
-//! The model file, the builder and the derive macros all end here; `resolve` turns a draft into a [`super::Model`].
+//! The model file, the builder and the derive macros all end here; [`Draft::build`] turns it into a [`super::Model`].
 
-use super::expression::Span;
-use super::{AxisKind, Model, Problem, resolve};
-
-/// A text and where it stands (an empty span where it does not come from a file).
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Text {
-    /// The text.
-    pub value: String,
-    /// Its place in the source, quotes included.
-    pub span: Span,
-}
-
-impl<T: Into<String>> From<T> for Text {
-    fn from(value: T) -> Self {
-        Self { value: value.into(), span: 0..0 }
-    }
-}
+use super::AxisKind;
+use crate::source::{Span, Text};
 
 /// A whole machine.
 #[derive(Clone, Debug, Default)]
@@ -133,11 +118,4 @@ pub enum DraftBasis {
     Polynomial(u8, Vec<Text>),
     /// `{ fourier = harmonics }`
     Fourier(u8),
-}
-
-impl Draft {
-    /// Checks everything and resolves every symbol; all problems are reported together.
-    pub fn build(&self) -> Result<Model, Vec<Problem>> {
-        resolve::resolve(self)
-    }
 }

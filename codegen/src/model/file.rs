@@ -1,8 +1,8 @@
 //! Model files: TOML into a draft, every problem with its place.
 
-use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Text};
-use super::expression::Span;
+use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun};
 use super::{AxisKind, Model, Problem, ProblemKind};
+use crate::source::{Span, Text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

@@ -7,18 +7,18 @@ mod builder;
 mod conditions;
 mod description;
 mod draft;
-mod evaluate;
-mod expression;
 mod file;
-mod notation;
 mod problem;
 mod reference;
 mod resolve;
 
-pub use description::{Axis, AxisKind, Ball, Component, Coordinate, Function, Model, ReadingKind, Reference, Run};
-pub use draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Text};
-pub use evaluate::{Angle, EvaluationError, Meaning, Scope, at, nominal_value};
-pub use expression::{Expected, Expr, Node, Operator, Span, SyntaxError, parse, parse_equation};
+pub use description::{Axis, AxisKind, Ball, Function, Model, ReadingKind, Reference, Run};
+pub use draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun};
 pub use file::{read, read_draft};
-pub use notation::{Notation, iso_location, iso_motion};
 pub use problem::{Problem, ProblemKind};
+
+pub use crate::expression::{
+    EvaluationError, Expected, Expr, Meaning, Node, Operator, Scope, SyntaxError, parse, parse_equation,
+};
+pub use crate::iso::{Component, Notation, iso_location, iso_motion};
+pub use crate::source::{Span, Text};

@@ -1,9 +1,9 @@
 //! What can be wrong with a description, each with its place and what would have been right.
 
-use super::evaluate::Meaning;
-use super::expression::{Expected, Span};
 use crate::algebra::AlgebraError;
 use crate::basis::NoBasis;
+use crate::expression::{Expected, Meaning};
+use crate::source::Span;
 use core::fmt;
 
 /// One problem of a description.

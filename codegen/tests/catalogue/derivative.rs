@@ -2,10 +2,10 @@
 
 use super::numbers::{derived, millimetres, uniform};
 use trunnion_codegen::algebra::ErrorId;
+use trunnion_codegen::algebra::nominal_value;
 use trunnion_codegen::catalogue::MODELS;
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
-use trunnion_codegen::model::nominal_value;
 
 /// One error at a size, all others zero.
 struct Only(ErrorId, f64);

@@ -4,11 +4,11 @@ use super::numbers::{derived, millimetres, uniform};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use trunnion_codegen::algebra::{Fraction, Poly};
+use trunnion_codegen::algebra::{Fraction, Poly, nominal_value};
 use trunnion_codegen::emit::{c, c99, numpy};
 use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::ids::RunId;
-use trunnion_codegen::model::{Model, nominal_value};
+use trunnion_codegen::model::Model;
 
 /// One with known functions, one with √2, one with quotients of sums, one with displacements.
 const MODELS: [&str; 5] =

@@ -2,9 +2,9 @@
 
 use super::numbers::{derived, uniform};
 use nalgebra::DMatrix;
+use trunnion_codegen::algebra::{at, nominal_value};
 use trunnion_codegen::catalogue::MODELS;
 use trunnion_codegen::identify::Origin;
-use trunnion_codegen::model::{at, nominal_value};
 
 /// Lengths near 1, so that powers of millimetres do not hide a small singular value.
 fn length(name: &str) -> f64 {

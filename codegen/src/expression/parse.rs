@@ -1,74 +1,7 @@
-//! Expressions of model files: `R*cos(a)`, `2*pi`, `f'(2*pi)`.
+//! From a text to an expression.
 
-use core::ops::Range;
-
-/// A position in the source text, in bytes.
-pub type Span = Range<usize>;
-
-/// An expression with its place in the text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Expr {
-    /// What it is.
-    pub node: Node,
-    /// Where it stands.
-    pub span: Span,
-}
-
-/// The forms an expression takes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Node {
-    /// A decimal number as an exact fraction.
-    Number(i128, i128),
-    /// A constant, the sweep, or `pi`.
-    Name(String),
-    /// −x
-    Negative(Box<Expr>),
-    /// x + y, x − y, x·y, x / y, x ^ y
-    Binary(Operator, Box<Expr>, Box<Expr>),
-    /// `sin(x)`, `f(x)`, `f'(x)`: the name, the number of primes, the argument.
-    Call(String, u32, Box<Expr>),
-}
-
-/// The binary operators.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operator {
-    /// `+`
-    Plus,
-    /// `-`
-    Minus,
-    /// `*`
-    Times,
-    /// `/`
-    Over,
-    /// `**` or `^`
-    Power,
-}
-
-/// Where and why a text is no expression.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SyntaxError {
-    /// The offending place.
-    pub span: Span,
-    /// What would have been right there.
-    pub expected: Expected,
-}
-
-/// What the parser was looking for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Expected {
-    /// A number, a name, a function call or a parenthesis.
-    Operand,
-    /// An operator or the end.
-    Operator,
-    /// `)`
-    Closing,
-    /// A number of at most 30 digits.
-    ShorterNumber,
-    /// Parentheses less than 100 deep.
-    ShallowerNesting,
-    /// Exactly one `=`.
-    Equation,
-}
+use super::{Expected, Expr, Node, Operator, SyntaxError};
+use crate::source::Span;
 
 /// Parses a whole text.
 pub fn parse(text: &str) -> Result<Expr, SyntaxError> {

@@ -1,18 +1,8 @@
 //! From the text of an expression to exact polynomials: coordinates, angles, points.
 
-use super::expression::{Expr, Node, Operator, Span};
-use crate::algebra::{AlgebraError, Alphabet, Monomial, Nominal, NominalId, Order, Poly, Rational, SweepId};
-
-/// An angle `multiple · sweep + eighths · π/4`: what has an exact sine and cosine.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Angle {
-    /// The sweep it turns with and how often; `None` at a fixed angle.
-    pub sweep: Option<(SweepId, i32)>,
-    /// The fixed part in steps of 45°.
-    pub eighths: i32,
-    /// The angle itself as a polynomial in the sweep and π, rad.
-    pub poly: Poly,
-}
+use super::{Expr, Node, Operator};
+use crate::algebra::{AlgebraError, Alphabet, Angle, Monomial, Order, Poly, Rational, SweepId};
+use crate::source::Span;
 
 /// What is wrong with a well-formed expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -133,68 +123,11 @@ fn root(square: Rational) -> Option<Poly> {
     }
 }
 
-impl Angle {
-    /// The angle 0.
-    pub fn zero() -> Self {
-        Self { sweep: None, eighths: 0, poly: Poly::ZERO }
-    }
-
-    /// Sine and cosine as polynomials in the sweep's sine and cosine, in normal form (Chebyshev's, by repeated rotation).
-    pub fn sin_cos(&self, alphabet: &Alphabet) -> Result<(Poly, Poly), AlgebraError> {
-        let half_root = Poly::term(Monomial::nominal(Alphabet::ROOT2, 1), Rational::new(1, 2));
-        let eighth = (half_root.clone(), half_root);
-        let mut turned = rotate_times((Poly::ZERO, Poly::one()), &eighth, self.eighths.rem_euclid(8), alphabet)?;
-        if let Some((sweep, multiple)) = self.sweep {
-            let [_, sin, cos] = alphabet.sweep_symbols(sweep);
-            let sin = if multiple < 0 { Poly::nominal(sin).negated() } else { Poly::nominal(sin) };
-            turned = rotate_times(turned, &(sin, Poly::nominal(cos)), multiple.abs(), alphabet)?;
-        }
-        Ok(turned)
-    }
-
-    /// The same angle `n` times over.
-    pub fn times(&self, n: i32) -> Result<Self, AlgebraError> {
-        let sweep = self.sweep.map(|(s, m)| (s, m * n));
-        Ok(Self { sweep, eighths: self.eighths * n, poly: self.poly.scaled(&Rational::from(i128::from(n)))? })
-    }
-}
-
-/// Adds the angle of `step` to that of `(sin, cos)`, `count` times.
-fn rotate_times(
-    start: (Poly, Poly),
-    step: &(Poly, Poly),
-    count: i32,
-    alphabet: &Alphabet,
-) -> Result<(Poly, Poly), AlgebraError> {
-    let times = |a: &Poly, b: &Poly| a.times(b, Order::NOMINAL);
-    (0..count).try_fold(start, |(s, c), _| {
-        let sin = times(&s, &step.1)?.plus(&times(&c, &step.0)?)?.normal(alphabet)?;
-        let cos = times(&c, &step.1)?.minus(&times(&s, &step.0)?)?.normal(alphabet)?;
-        Ok((sin, cos))
-    })
-}
-
-/// Value of a polynomial along a path: the sweep's value in rad, the constants in mm.
-pub fn at(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
-    poly.evaluate(|id| nominal_value(id, alphabet, sweep, &constant), |_| 0.0)
-}
-
-/// Value of a nominal symbol along a path.
-pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
-    match alphabet.nominal(id) {
-        Nominal::Pi => core::f64::consts::PI,
-        Nominal::Root2 => core::f64::consts::SQRT_2,
-        Nominal::Constant(name) => constant(name),
-        Nominal::Sweep(_) => sweep,
-        Nominal::Sin(_) => sweep.sin(),
-        Nominal::Cos(_) => sweep.cos(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::expression::parse;
+    use super::super::parse;
     use super::*;
+    use crate::algebra::at;
 
     #[test]
     fn multiples_and_45_degrees_are_exact() {

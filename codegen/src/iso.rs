@@ -1,6 +1,38 @@
-//! Names of errors: ISO 230-1's and the paper's.
+//! Errors of an axis: their six components and their names, ISO 230-1's and the paper's.
 
-use super::description::Component;
+/// The six components of an error, ISO 230-1's order: X Y Z A B C.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Component(u8);
+
+impl Component {
+    /// X Y Z A B C
+    pub const ALL: [Self; 6] = [Self(0), Self(1), Self(2), Self(3), Self(4), Self(5)];
+
+    /// ISO letter: X, Y, Z for displacements, A, B, C for rotations about them.
+    pub fn letter(self) -> char {
+        ['X', 'Y', 'Z', 'A', 'B', 'C'][usize::from(self.0)]
+    }
+
+    /// The component with an ISO letter.
+    pub fn from_letter(letter: char) -> Option<Self> {
+        Self::ALL.into_iter().find(|c| c.letter() == letter)
+    }
+
+    /// Position in X Y Z A B C.
+    pub fn index(self) -> usize {
+        usize::from(self.0)
+    }
+
+    /// True for A, B, C.
+    pub fn is_rotation(self) -> bool {
+        self.0 >= 3
+    }
+
+    /// The direction it acts along or about: x, y or z.
+    pub fn direction(self) -> char {
+        ['x', 'y', 'z'][usize::from(self.0 % 3)]
+    }
+}
 
 /// How a model's errors are called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -51,7 +83,7 @@ pub fn iso_motion(component: Component, axis: &str) -> String {
 }
 
 /// Reads the name of a location error of `axis`: `EC0Y`, or `EC(0X)Y` for the one against the axis X.
-pub(super) fn location_error<'a>(text: &'a str, axis: &str) -> Option<(Component, Option<&'a str>)> {
+pub(crate) fn location_error<'a>(text: &'a str, axis: &str) -> Option<(Component, Option<&'a str>)> {
     let rest = text.strip_prefix('E')?;
     let component = Component::from_letter(rest.chars().next()?)?;
     let place = rest[1..].strip_suffix(axis)?;

@@ -1,0 +1,44 @@
+//! Why a run has no reading: its balls are not where the instrument needs them.
+
+use crate::algebra::{AlgebraError, Monomial, Order, Poly, Rational};
+
+/// Why a run has no reading.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ReadingError {
+    /// The nominal distance of the balls is not the bar's length: what it is instead.
+    NotTheBar(Length),
+    /// The balls of a displacement reading do not nominally coincide: how far they are apart.
+    NotTogether(Length),
+    /// An exact computation failed.
+    Algebra(AlgebraError),
+}
+
+impl From<AlgebraError> for ReadingError {
+    fn from(e: AlgebraError) -> Self {
+        Self::Algebra(e)
+    }
+}
+
+/// The nominal distance of the balls.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Length {
+    /// A single term, mm.
+    Exactly(Poly),
+    /// The square root of this, mm².
+    RootOf(Poly),
+}
+
+/// The root of a squared length.
+pub(super) fn length(square: &Poly) -> Result<Length, AlgebraError> {
+    if let [(m, c)] = square.terms() {
+        let half: Vec<i8> = m.powers().iter().map(|p| p / 2).collect();
+        let root = |n: i128| (n >= 0).then(|| n.unsigned_abs().isqrt() as i128);
+        if let (Ok(powers), Some(n), Some(d)) = (half.try_into(), root(*c.numer()), root(*c.denom())) {
+            let candidate = Poly::term(Monomial::of_powers(powers), Rational::new(n, d));
+            if candidate.times(&candidate, Order::NOMINAL)? == *square {
+                return Ok(Length::Exactly(candidate));
+            }
+        }
+    }
+    Ok(Length::RootOf(square.clone()))
+}

@@ -1,0 +1,83 @@
+//! The axes of either side with their errors.
+
+use super::resolver::Resolver;
+use crate::algebra::{ErrorId, Quantity};
+use crate::iso::{Component, Notation, iso_location, iso_motion, location_error};
+use crate::model::{Axis, Draft, DraftAxis, ProblemKind, Reference};
+use crate::source::{Span, Text};
+
+impl Resolver {
+    pub fn side(
+        &mut self,
+        draft: &Draft,
+        side: &[Text],
+        notation: Notation,
+        names: &mut Vec<(Text, Text)>,
+    ) -> Vec<Axis> {
+        let mut axes: Vec<Axis> = Vec::new();
+        for text in side {
+            match draft.axes.iter().find(|a| a.name.value == text.value) {
+                None => self.problem(&text.span, ProblemKind::UnknownAxis(text.value.clone())).unwrap_or(()),
+                Some(_) if self.iso.iter().any(|(iso, _)| *iso == iso_motion(Component::ALL[0], &text.value)) => {
+                    self.problem(&text.span, ProblemKind::Taken(text.value.clone())).unwrap_or(());
+                }
+                Some(axis) => axes.extend(self.axis(axis, notation, names)),
+            }
+        }
+        axes
+    }
+
+    pub fn axis(&mut self, axis: &DraftAxis, notation: Notation, names: &mut Vec<(Text, Text)>) -> Option<Axis> {
+        if !self.is_name(&axis.name) {
+            return None;
+        }
+        let name = &axis.name.value;
+        let mut location = [None; 6];
+        let mut references = Vec::new();
+        for text in &axis.location {
+            let Some((c, reference)) = location_error(&text.value, name) else {
+                self.problem::<()>(&text.span, ProblemKind::NotALocation(text.value.clone()));
+                continue;
+            };
+            location[c.index()] =
+                self.make_error(&text.span, iso_location(c, name), notation.location(c, name), c, names);
+            let place = text.span.clone();
+            references.extend(reference.map(|axis| Reference { component: c, axis: axis.to_owned(), place }));
+        }
+        let mut motion = Vec::with_capacity(6);
+        for c in Component::ALL {
+            motion.extend(self.make_error(&axis.name.span, iso_motion(c, name), notation.motion(c, name), c, names));
+        }
+        let direction = self.direction(&axis.direction, &axis.name.span, None);
+        Some(Axis {
+            name: name.clone(),
+            kind: axis.kind,
+            // A refused direction has no use: the description is refused with it.
+            direction: direction.unwrap_or_default(),
+            location,
+            references,
+            motion: motion.try_into().ok()?,
+        })
+    }
+
+    /// Makes an error under the model's own name for it, if it has one.
+    fn make_error(
+        &mut self,
+        span: &Span,
+        iso: String,
+        name: String,
+        c: Component,
+        names: &mut Vec<(Text, Text)>,
+    ) -> Option<ErrorId> {
+        let own = names.iter().position(|(i, _)| i.value == iso).map(|at| names.swap_remove(at).1);
+        let (name, span) = own.map_or((name, span.clone()), |text| (text.value, text.span));
+        let text = Text { value: name, span: span.clone() };
+        if !self.is_name(&text) || !self.is_free(&text) {
+            return None;
+        }
+        let made = self.alphabet.error(&text.value, if c.is_rotation() { Quantity::Angle } else { Quantity::Length });
+        let id = self.exact(&span, made)?;
+        self.iso.push((iso, id));
+        Some(id)
+    }
+}

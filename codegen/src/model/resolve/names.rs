@@ -1,0 +1,33 @@
+//! Which names may be given.
+
+use super::resolver::Resolver;
+use crate::model::ProblemKind;
+use crate::source::Text;
+
+impl Resolver {
+    pub fn is_name(&mut self, text: &Text) -> bool {
+        let mut chars = text.value.chars();
+        let first = chars.next().is_some_and(|c| c.is_ascii_alphabetic());
+        let good = first && chars.all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+        if !good {
+            self.problem::<()>(&text.span, ProblemKind::NotAName(text.value.clone()));
+        }
+        good
+    }
+
+    pub fn is_free(&mut self, text: &Text) -> bool {
+        let name = text.value.as_str();
+        let a = &self.alphabet;
+        let taken = a.find_constant(name).is_some() || a.find_sweep(name).is_some() || a.find_error(name).is_some();
+        let free = !taken && !["pi", "sin", "cos", "sqrt", "rest", "f"].contains(&name);
+        if !free {
+            self.problem::<()>(&text.span, ProblemKind::Taken(text.value.clone()));
+        }
+        free
+    }
+}
+
+/// What a name becomes in generated source, whatever its case.
+pub(super) fn item(name: &str) -> String {
+    name.to_lowercase().replace('-', "_")
+}
