@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use trunnion::data::{Dimension, Known, Radius, Sweep, Table};
+use trunnion::data::{Known, Quantity, Radius, Sweep, Table, Unit};
 use trunnion::study::{
     Curve, Estimator, Fit, FitError, Limits, Observation, Report, Sample, Setup, Warning, draw, fit, grid, neglected,
     report,
@@ -43,7 +43,7 @@ impl Set {
         let mm = truth["radius_mm"].as_f64().unwrap();
         let setup = Setup::new(catalogue::model("tilting-table-a").unwrap().unwrap(), &[("R", mm)]).unwrap();
         let path = |f: &str| file(&format!("reference/tilting-table/{name}/{f}.csv"));
-        let lengths = ["dya", "dza"].map(|name| Known { name: name.into(), dimension: Dimension::Length });
+        let lengths = ["dya", "dza"].map(|name| Known { name: name.into(), quantity: Quantity::Length });
         let table = Table::read(&path("table"), "a", &lengths).unwrap();
         let observe = |(run, name): (usize, &str)| {
             let sweep = Sweep::read(&path(name), "a", Radius::new(mm).unwrap(), 11).unwrap();
@@ -324,7 +324,10 @@ fn the_cost_of_no_table_is_what_the_worst_table_does() {
             .iter()
             .filter_map(|w| match w {
                 Warning::TakenAsZero { known, unit, costs } => {
-                    assert_eq!((*unit, costs[0].0.as_str(), costs[0].1, costs.len()), ("um", "eps_xa", "urad", 1));
+                    assert_eq!(
+                        (*unit, costs[0].0.as_str(), costs[0].1, costs.len()),
+                        (Unit::Um, "eps_xa", Unit::Urad, 1)
+                    );
                     Some((known.as_str(), costs[0].2))
                 }
                 _ => None,

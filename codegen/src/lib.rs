@@ -12,3 +12,4 @@ pub mod kinematics;
 pub mod measurement;
 pub mod model;
 pub mod problems;
+pub mod quantity;

@@ -7,8 +7,8 @@ use super::{Refused, estimate, print, simulate};
 use clap::Args;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use trunnion::data::write_atomically;
-use trunnion::plot::{Axis, Chart, Panel, Series, Shape, Tone};
+use trunnion::data::{Unit, write_atomically};
+use trunnion::plot::{Chart, Mark, Panel, Scale, Series, Tone};
 use trunnion::study::{Estimator, Limits, Report, Setup, fit, report};
 use trunnion_codegen::emit::equations;
 use trunnion_codegen::kinematics::ErrorValues;
@@ -125,22 +125,22 @@ fn recovered(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)]
 
 /// True value of an estimated angular function in µrad (of a length, µm) at degrees.
 fn true_value(setup: &Setup, measured: &Measured, function: usize, deg: f64) -> f64 {
-    let scale = if setup.component(function).is_some_and(|c| c.is_rotation()) { 1e6 } else { 1e3 };
-    measured.machine.value(setup.model.functions[function].error, deg.to_radians()) * scale
+    let value = measured.machine.value(setup.model.functions[function].error, deg.to_radians());
+    setup.quantity(function).deviation().from_inner(value)
 }
 
 /// Fig. 3, the readings, and Fig. 4, the estimate against the truth.
 fn figures(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)], out: &Path) -> Result<(), Refused> {
-    let line = |name: &str, tone, points| Series { name: name.to_owned(), tone, shape: Shape::Line(points) };
+    let line = |name: &str, tone, points| Series { name: name.to_owned(), tone, mark: Mark::Line(points) };
     let tones = [Tone::Blue, Tone::Vermilion, Tone::Green, Tone::Purple];
     let runs = measured.observations.iter().zip(tones).enumerate().map(|(i, (o, tone))| {
-        let points = o.samples.iter().map(|s| (s.sweep.to_degrees(), s.reading * 1e3)).collect();
+        let points = o.samples.iter().map(|s| (s.sweep.to_degrees(), Unit::Um.from_inner(s.reading))).collect();
         line(&format!("ΔR_{{{}}} ({})", i + 1, setup.model.runs[o.run].name), tone, points)
     });
     let readings = Chart {
         title: "Radial deviations of both runs, simulated exactly".to_owned(),
-        x: Axis::new("a", "°"),
-        panels: vec![Panel { y: Axis::new("ΔR", "µm"), series: runs.collect() }],
+        x: Scale::new("a", Unit::Deg),
+        panels: vec![Panel { y: Scale::new("ΔR", Unit::Um), series: runs.collect() }],
     };
     write_atomically(&out.join("fig3.svg"), readings.svg()?.as_bytes())?;
     let Some((function, (estimator, curve))) =
@@ -151,18 +151,18 @@ fn figures(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)], 
     let truth = |at: f64| true_value(setup, measured, function, at);
     let points = &curve.points;
     let estimated = Panel {
-        y: Axis::new("ε_{xa}", "µrad"),
+        y: Scale::new("ε_{xa}", Unit::Urad),
         series: vec![
             Series {
                 name: "95 % band".to_owned(),
                 tone: Tone::Blue,
-                shape: Shape::Band(points.iter().map(|p| (p.at, p.value - p.u95, p.value + p.u95)).collect()),
+                mark: Mark::Band(points.iter().map(|p| (p.at, p.value - p.u95, p.value + p.u95)).collect()),
             },
             line("true", Tone::Black, points.iter().map(|p| (p.at, truth(p.at))).collect()),
             Series {
                 name: format!("estimated ({})", estimate::name(estimator)),
                 tone: Tone::Blue,
-                shape: Shape::Dashed(points.iter().map(|p| (p.at, p.value)).collect()),
+                mark: Mark::Dashed(points.iter().map(|p| (p.at, p.value)).collect()),
             },
         ],
     };
@@ -172,8 +172,8 @@ fn figures(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)], 
     });
     let chart = Chart {
         title: "Angular positioning error of the tilting table".to_owned(),
-        x: Axis::new("a", "°"),
-        panels: vec![estimated, Panel { y: Axis::new("estimate − truth", "µrad"), series: errors.collect() }],
+        x: Scale::new("a", Unit::Deg),
+        panels: vec![estimated, Panel { y: Scale::new("estimate − truth", Unit::Urad), series: errors.collect() }],
     };
     write_atomically(&out.join("fig4.svg"), chart.svg()?.as_bytes())?;
     Ok(())

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
+use trunnion::data::Unit;
 use trunnion::study::{Curve, Estimator, Limits, Report, Setup, Term};
 
 /// Name of an estimator on the command line and in JSON.
@@ -39,7 +40,7 @@ fn curve(c: &Curve) -> Value {
     };
     json!({
         "name": c.name,
-        "unit": c.unit,
+        "unit": c.unit.suffix(),
         "points": c.points.iter().map(point).collect::<Vec<_>>(),
         "neglected": c.neglected,
         "neglected_typical": c.neglected_typical,
@@ -59,7 +60,7 @@ pub fn text(setup: &Setup, estimator: Estimator, limits: Limits, report: &Report
     }
     let _ = writeln!(out, "condition {:.1} (columns scaled)", report.condition);
     let round = |x: f64| (x * 1e6).round() / 1e6;
-    let (length, angle) = (round(limits.length * 1e3), round(limits.angle * 1e6));
+    let (length, angle) = (round(Unit::Um.from_inner(limits.length)), round(Unit::Urad.from_inner(limits.angle)));
     let dropped = report.runs.iter().zip(&report.neglected).map(|((name, ..), n)| format!("{n:.3} µm ({name})"));
     let dropped: Vec<String> = dropped.collect();
     let _ = writeln!(

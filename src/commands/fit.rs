@@ -5,7 +5,7 @@ use super::simulated::limits;
 use super::{Refused, estimate, print};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
-use trunnion::data::{Dimension, Known, Radius, Sweep, Table};
+use trunnion::data::{Known, Radius, Sweep, Table};
 use trunnion::study::{Estimator, Observation, Sample, Setup, fit, report};
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::model::Coordinate;
@@ -191,12 +191,6 @@ fn known_table(setup: &Setup, file: &Path) -> Result<(Table, Vec<usize>), Refuse
             return Err(Refused::TableCoordinate(known_name(&setup.model, f), axis));
         }
     }
-    let known = |&f: &usize| Known {
-        name: known_name(&setup.model, f),
-        dimension: match setup.component(f).is_some_and(|c| c.is_rotation()) {
-            true => Dimension::Angle,
-            false => Dimension::Length,
-        },
-    };
+    let known = |&f: &usize| Known { name: known_name(&setup.model, f), quantity: setup.quantity(f) };
     Ok((Table::read(file, angle, &functions.iter().map(known).collect::<Vec<_>>())?, functions))
 }

@@ -8,6 +8,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use trunnion::data::Unit;
 use trunnion::study::{Estimator, Observation, Plan, Setup, Spread, Trial, WARN_CONDITION, Warning, fit, monte_carlo};
 
 /// Arguments of `monte-carlo`.
@@ -87,7 +88,7 @@ pub fn studies(
         samples: simulation.samples,
         range: simulation.range(),
         limits: simulation.limits(),
-        noise: simulation.noise_um * 1e-3,
+        noise: simulation.noise_um * Unit::Um.factor(),
         seed: simulation.seed,
     };
     let functions: Vec<usize> = setup.estimated().collect();
@@ -103,8 +104,8 @@ pub fn studies(
         for &f in &functions {
             let trials = monte_carlo(setup, plan, estimator, f, &|| bar.inc(1));
             let trials = trials.map_err(|e| Refused::fit(setup, &|r| setup.model.runs[r].name.clone(), &e))?;
-            let scale = if setup.component(f).is_some_and(|c| c.is_rotation()) { 1e6 } else { 1e3 };
-            let spread = |of: fn(&Trial) -> f64| Spread::of(trials.iter().map(|t| of(t) * scale).collect());
+            let unit = setup.quantity(f).deviation();
+            let spread = |of: fn(&Trial) -> f64| Spread::of(trials.iter().map(|t| unit.from_inner(of(t))).collect());
             let all = [
                 ("noise", spread(|t| t.noise)),
                 ("linearisation", spread(|t| t.linearisation)),

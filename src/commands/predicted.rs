@@ -5,9 +5,9 @@ use super::simulated::not_negative;
 use super::{Refused, estimate};
 use clap::Args;
 use std::fmt::Write;
+use trunnion::data::Unit;
 use trunnion::study::plan::{Intended, Predicted, predict};
-use trunnion::study::{Estimator, Setup, coefficient_unit, unit};
-use trunnion_codegen::model::AxisKind;
+use trunnion::study::{Estimator, Setup, coefficient_unit, coordinate};
 
 /// How is intended to be measured.
 #[derive(Clone, Copy, Debug, Args)]
@@ -30,7 +30,7 @@ impl Measuring {
         Ok(Intended {
             samples: self.samples as usize,
             range: (from.to_radians(), to.to_radians()),
-            sigma: self.noise_um * 1e-3 / 3f64.sqrt(),
+            sigma: self.noise_um * Unit::Um.factor() / 3f64.sqrt(),
         })
     }
 }
@@ -71,14 +71,9 @@ pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Re
 pub fn function(setup: &Setup, predicted: &Predicted) -> String {
     let name = setup.function_name(predicted.function);
     let Some(largest) = predicted.largest else { return format!("{name}: not seen by these runs") };
-    let (unit, scale) = unit(setup.component(predicted.function));
-    let axis = setup.model.axis_of(setup.model.functions[predicted.function].error);
-    let axis = axis.and_then(|(i, _)| setup.model.axes().nth(i));
-    let (letter, at, of) = match axis {
-        Some(a) if a.kind == AxisKind::Rotary => (a.name.to_lowercase(), largest.at.to_degrees(), "deg"),
-        Some(a) => (a.name.to_lowercase(), largest.at, "mm"),
-        None => (String::new(), largest.at, ""),
-    };
-    let (std, u95) = (largest.std * scale, largest.u95 * scale);
+    let Some(axis) = setup.axis(predicted.function) else { return name };
+    let (unit, of) = (setup.quantity(predicted.function).deviation(), coordinate(axis).coordinate());
+    let (letter, at) = (axis.name.to_lowercase(), of.from_inner(largest.at));
+    let (std, u95) = (unit.from_inner(largest.std), unit.from_inner(largest.u95));
     format!("{name}: std at most {std:.3} {unit} (95 % ± {u95:.3}) at {letter} = {at:.0} {of}")
 }

@@ -5,7 +5,7 @@ use super::model::ModelArguments;
 use super::simulated::{Measured, Simulation};
 use clap::Args;
 use std::path::{Path, PathBuf};
-use trunnion::data::{Dimension, Known, Sweep, Table, Truth, TruthFunction, Unit};
+use trunnion::data::{Known, Sweep, Table, Truth, TruthFunction, Unit};
 use trunnion::study::Setup;
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::kinematics::ErrorValues;
@@ -62,26 +62,19 @@ fn table(setup: &Setup, measured: &Measured, out: &Path) -> Result<(), Refused> 
     let known = setup.derivation.runs[run]
         .known
         .iter()
-        .map(|(f, _)| Known { name: known_name(&setup.model, *f), dimension: dimension(setup, *f) });
+        .map(|(f, _)| Known { name: known_name(&setup.model, *f), quantity: setup.quantity(*f) });
     let known: Vec<Known> = known.collect();
     let lines = measured.observations[run].samples.iter().map(|s| (s.sweep, s.known.clone()));
     let angle = setup.model.alphabet.sweep_name(setup.model.runs[run].sweep);
     Ok(Table::write(&out.join("table.csv"), angle, &known, lines)?)
 }
 
-fn dimension(setup: &Setup, function: usize) -> Dimension {
-    if setup.component(function).is_some_and(|c| c.is_rotation()) { Dimension::Angle } else { Dimension::Length }
-}
-
 fn truth(setup: &Setup, simulation: &Simulation, measured: &Measured, radius_mm: f64) -> Truth {
     let (first, last) = ((simulation.from_deg / 5.0).ceil() as i64, (simulation.to_deg / 5.0).floor() as i64);
     let function = |f: usize| {
         let error = setup.model.functions[f].error;
-        let (unit, scale) = match dimension(setup, f) {
-            Dimension::Length => (Unit::Um, 1e3),
-            Dimension::Angle => (Unit::Urad, 1e6),
-        };
-        let value = |deg: f64| measured.machine.value(error, deg.to_radians()) * scale;
+        let unit = setup.quantity(f).deviation();
+        let value = |deg: f64| unit.from_inner(measured.machine.value(error, deg.to_radians()));
         let points = (first..=last).map(|i| i as f64 * 5.0).map(|deg| (deg, value(deg))).collect();
         TruthFunction { name: setup.function_name(f), unit, points }
     };

@@ -4,6 +4,7 @@ use super::Refused;
 use clap::Args;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use trunnion::data::Unit;
 use trunnion::study::{Limits, Machine, Observation, Setup, draw, grid};
 use trunnion_codegen::measurement::ExactReading;
 
@@ -37,7 +38,7 @@ pub struct Simulation {
 pub fn limits(length_um: f64, angle_urad: f64) -> Result<Limits, Refused> {
     not_negative("length-um", length_um)?;
     not_negative("angle-urad", angle_urad)?;
-    Ok(Limits { length: length_um * 1e-3, angle: angle_urad * 1e-6 })
+    Ok(Limits { length: length_um * Unit::Um.factor(), angle: angle_urad * Unit::Urad.factor() })
 }
 
 /// Refuses what is no size of a noise or an error.
@@ -77,7 +78,7 @@ impl Simulation {
 
     /// Limits of the errors.
     pub fn limits(&self) -> Limits {
-        Limits { length: self.length_um * 1e-3, angle: self.angle_urad * 1e-6 }
+        Limits { length: self.length_um * Unit::Um.factor(), angle: self.angle_urad * Unit::Urad.factor() }
     }
 
     /// The sweep at every sample, rad.
@@ -91,7 +92,7 @@ impl Simulation {
         let exact: Vec<ExactReading> = (0..setup.model.runs.len()).map(|r| setup.exact(r, &sweeps)).collect();
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let machine = draw(setup, &exact, self.limits(), &mut random);
-        let mut noise = || random.random_range(-1.0..=1.0) * self.noise_um * 1e-3;
+        let mut noise = || random.random_range(-1.0..=1.0) * self.noise_um * Unit::Um.factor();
         let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, &mut noise);
         let observations = exact.iter().enumerate().map(observe).collect();
         Measured { machine, observations }

@@ -8,7 +8,7 @@ use tempfile::Builder;
 use thiserror::Error;
 
 use super::columns::Wanted;
-use super::unit::Unit;
+use trunnion_codegen::quantity::Unit;
 
 /// A file that could not be written; what was there before is still there.
 #[derive(Debug, Error)]

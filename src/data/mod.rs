@@ -16,7 +16,6 @@ mod records;
 mod sweep;
 mod table;
 mod truth;
-mod unit;
 
 pub use atomic::{WriteError, WriteProblem, write_atomically};
 pub(crate) use columns::Wanted;
@@ -25,5 +24,5 @@ pub(crate) use lines::Lines;
 pub use radius::{Radius, RadiusError};
 pub use sweep::{Sample, Sweep};
 pub use table::{Known, KnownAtSamples, Table};
+pub use trunnion_codegen::quantity::{Quantity, Unit};
 pub use truth::{Truth, TruthFunction};
-pub use unit::{Dimension, Unit};

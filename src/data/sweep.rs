@@ -9,7 +9,7 @@ use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
 use super::lines::Lines;
 use super::radius::Radius;
-use super::unit::{Dimension, Unit};
+use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
 const BEYOND_STROKE_MM: f64 = 2.0;
@@ -63,7 +63,7 @@ impl Sweep {
         radius: Radius,
         least: usize,
     ) -> Result<Self, FileError> {
-        let length = |name| Wanted::new(name, deviation(Dimension::Length));
+        let length = |name| Wanted::new(name, deviation(Quantity::Length));
         let wanted: Vec<Wanted> = [Wanted::new(angle, SWEEP), length(reading)]
             .into_iter()
             .chain(others.iter().map(|name| length(name)))
@@ -115,10 +115,8 @@ impl Sweep {
     /// # Errors
     /// [`WriteError`] where the file cannot be written, a value is not finite, or a unit is not one of those named.
     pub fn write(&self, angle: &str, angle_unit: Unit, length_unit: Unit) -> Result<(), WriteError> {
-        let columns = [
-            (Wanted::new(angle, SWEEP), angle_unit),
-            (Wanted::new(READING, deviation(Dimension::Length)), length_unit),
-        ];
+        let columns =
+            [(Wanted::new(angle, SWEEP), angle_unit), (Wanted::new(READING, deviation(Quantity::Length)), length_unit)];
         let lines = self.samples.iter().map(|sample| vec![sample.angle_rad, sample.reading_mm]);
         write_columns(&self.file, &columns, lines)
     }

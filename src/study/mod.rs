@@ -18,7 +18,7 @@ pub use fit::{Estimator, Fit, FitError, Observation, Sample, Variance, fit, fit_
 pub use least_squares::{LARGEST, Separation};
 pub use monte_carlo::{Plan, Spread, Trial, monte_carlo};
 pub use neglected::{Neglected, neglected};
-pub use report::{Coefficient, Curve, Point, Report, WARN_CONDITION, Warning, coefficient_unit, report, unit};
-pub use setup::{Setup, SetupError};
+pub use report::{Coefficient, Curve, Point, Report, WARN_CONDITION, Warning, coefficient_unit, report};
+pub use setup::{Setup, SetupError, coordinate};
 pub use simulate::grid;
 pub use systematic::{Systematic, Term, systematic};

@@ -3,12 +3,12 @@
 use super::draw::Limits;
 use super::fit::{Fit, Observation};
 use super::neglected::neglected;
-use super::setup::{Setup, SetupError};
+use super::setup::{Setup, SetupError, coordinate};
 use super::systematic::{Term, systematic};
 use trunnion_codegen::algebra::{Nominal, Poly};
 use trunnion_codegen::basis::Basis;
 use trunnion_codegen::emit::equations;
-use trunnion_codegen::model::{AxisKind, Component};
+use trunnion_codegen::quantity::{Quantity, Unit};
 use trunnion_solver::lstsq::student_t_95;
 
 /// Above this condition (columns scaled) coefficients are called hardly separable: a whole turn of the paper's runs has 184,
@@ -50,12 +50,12 @@ pub struct Coefficient {
 pub struct Curve {
     /// `eps_xa`
     pub name: String,
-    /// `urad` or `um`
-    pub unit: &'static str,
+    /// Unit of its values: µrad or µm.
+    pub unit: Unit,
     /// Name of its coordinate: the axis' letter.
     pub coordinate: String,
-    /// `deg` or `mm`
-    pub coordinate_unit: &'static str,
+    /// Unit of its coordinate: degrees or mm.
+    pub coordinate_unit: Unit,
     /// Points every 5° (or over 20 steps of a linear axis) within the range.
     pub points: Vec<Point>,
     /// The largest systematic error that the dropped second-order terms can leave in it, in its unit.
@@ -100,10 +100,10 @@ pub enum Warning {
     TakenAsZero {
         /// Its name in a table.
         known: String,
-        /// Its unit: `um` or `urad`.
-        unit: &'static str,
+        /// Its unit: µm or µrad.
+        unit: Unit,
         /// Per estimated function: name, unit, and the largest error that one unit of it can cause there.
-        costs: Vec<(String, &'static str, f64)>,
+        costs: Vec<(String, Unit, f64)>,
     },
 }
 
@@ -133,14 +133,6 @@ impl core::fmt::Display for Warning {
                 Ok(())
             }
         }
-    }
-}
-
-/// Unit of a component in a report, and the scale to it from mm and rad.
-pub fn unit(component: Option<Component>) -> (&'static str, f64) {
-    match component.is_some_and(Component::is_rotation) {
-        true => ("urad", 1e6),
-        false => ("um", 1e3),
     }
 }
 
@@ -179,13 +171,15 @@ pub fn report(
     if without_table {
         warnings.extend(taken_as_zero(setup, observations, fit));
     }
-    let run = |(o, rms): (&Observation, &f64)| (setup.model.runs[o.run].name.clone(), o.samples.len(), rms * 1e3);
+    let run = |(o, rms): (&Observation, &f64)| {
+        (setup.model.runs[o.run].name.clone(), o.samples.len(), Unit::Um.from_inner(*rms))
+    };
     Ok(Report {
         runs: observations.iter().zip(&fit.rms).map(run).collect(),
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
         functions,
         condition: fit.separation.condition,
-        neglected: bounds.iter().map(|b| b.iter().copied().fold(0.0, f64::max) * 1e3).collect(),
+        neglected: bounds.iter().map(|b| Unit::Um.from_inner(b.iter().copied().fold(0.0, f64::max))).collect(),
         warnings,
     })
 }
@@ -222,46 +216,41 @@ fn curve(
     bounds: &[Vec<f64>],
     limits: Limits,
 ) -> Result<Option<Curve>, SetupError> {
-    let error = setup.model.functions[function].error;
-    let Some((axis, component)) = setup.model.axis_of(error) else { return Ok(None) };
-    let Some((kind, coordinate)) = setup.model.axes().nth(axis).map(|a| (a.kind, a.name.to_lowercase())) else {
-        return Ok(None);
-    };
-    let (coordinate_unit, to_inner) = match kind {
-        AxisKind::Rotary => ("deg", std::f64::consts::PI / 180.0),
-        AxisKind::Linear => ("mm", 1.0),
-    };
+    let Some((axis, _)) = setup.model.axis_of(setup.model.functions[function].error) else { return Ok(None) };
+    let Some(along) = setup.axis(function) else { return Ok(None) };
+    let coordinate_unit = coordinate(along).coordinate();
     let coordinates: Vec<f64> =
-        observations.iter().flat_map(|o| coordinates(setup, o, axis)).map(|x| x / to_inner).collect();
+        observations.iter().flat_map(|o| coordinates(setup, o, axis)).map(|x| coordinate_unit.from_inner(x)).collect();
     let low = coordinates.iter().copied().fold(f64::INFINITY, f64::min);
     let high = coordinates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let step = if kind == AxisKind::Rotary { 5.0 } else { (high - low) / 20.0 };
+    let step = if coordinate_unit == Unit::Deg { 5.0 } else { (high - low) / 20.0 };
     // Rounding in degrees must not lose a point at either end.
     let slack = 1e-9 * step;
     let (first, last) = (((low - slack) / step).ceil() as i64, ((high + slack) / step).floor() as i64);
-    let (unit, scale) = unit(Some(component));
+    let unit = setup.quantity(function).deviation();
     let t = student_t_95::<f64>(fit.degrees_of_freedom);
     let mut dropped = 0.0f64;
     let mut points = Vec::new();
     for i in first..=last {
         let at = i as f64 * step;
-        let (value, std) = fit.function(setup, function, at * to_inner);
-        points.push(Point { at, value: value * scale, u95: t * std * scale });
-        let sensitivity = fit.sensitivity(setup, observations, function, at * to_inner);
+        let (value, std) = fit.function(setup, function, coordinate_unit.to_inner(at));
+        points.push(Point { at, value: unit.from_inner(value), u95: unit.from_inner(t * std) });
+        let sensitivity = fit.sensitivity(setup, observations, function, coordinate_unit.to_inner(at));
         let sum = |(w, b): (&Vec<f64>, &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
-        dropped = dropped.max(sensitivity.iter().zip(bounds).map(sum).sum::<f64>() * scale);
+        dropped = dropped.max(unit.from_inner(sensitivity.iter().zip(bounds).map(sum).sum::<f64>()));
     }
-    let coordinates: Vec<f64> = points.iter().map(|p| p.at * to_inner).collect();
+    let coordinates: Vec<f64> = points.iter().map(|p| coordinate_unit.to_inner(p.at)).collect();
     let left = systematic(setup, observations, fit, function, limits, &coordinates)?;
-    let scaled = |t: &Term| Term { name: t.name.clone(), typical: t.typical * scale, bound: t.bound * scale };
+    let scaled =
+        |t: &Term| Term { name: t.name.clone(), typical: unit.from_inner(t.typical), bound: unit.from_inner(t.bound) };
     Ok(Some(Curve {
         name: setup.function_name(function),
         unit,
-        coordinate,
+        coordinate: along.name.to_lowercase(),
         coordinate_unit,
         points,
         neglected: dropped,
-        neglected_typical: left.typical * scale,
+        neglected_typical: unit.from_inner(left.typical),
         neglected_terms: left.terms.iter().take(NAMED_TERMS).filter(|t| t.typical > 0.0).map(scaled).collect(),
     }))
 }
@@ -278,23 +267,23 @@ fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<
         observations.iter().flat_map(|o| setup.derivation.runs[o.run].known.iter().map(|(f, _)| *f)).collect();
     known.sort_unstable();
     known.dedup();
-    let mut costs: Vec<Vec<(String, &'static str, f64)>> = vec![Vec::new(); known.len()];
+    let mut costs: Vec<Vec<(String, Unit, f64)>> = vec![Vec::new(); known.len()];
     for function in setup.estimated() {
-        let (own, scale) = unit(setup.component(function));
+        let own = setup.quantity(function).deviation();
         let span = observations.iter().flat_map(|o| o.samples.iter().map(|s| s.sweep));
         let (first, last) = span.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
         for (cost, &k) in costs.iter_mut().zip(&known) {
-            let (_, known_scale) = unit(setup.component(k));
+            let one = setup.quantity(k).deviation().to_inner(1.0);
             let largest = (0..=36).map(|i| first + (last - first) * f64::from(i) / 36.0).map(|x| {
                 let sensitivity = fit.sensitivity(setup, observations, function, x);
                 sensitivity.iter().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
             });
-            cost.push((setup.function_name(function), own, largest.fold(0.0, f64::max) * scale / known_scale));
+            cost.push((setup.function_name(function), own, own.from_inner(largest.fold(0.0, f64::max) * one)));
         }
     }
     let warning = |(&k, costs): (&usize, Vec<_>)| Warning::TakenAsZero {
         known: trunnion_codegen::emit::model::known_name(&setup.model, k),
-        unit: unit(setup.component(k)).0,
+        unit: setup.quantity(k).deviation(),
         costs,
     };
     known.iter().zip(costs).map(warning).collect()
@@ -312,16 +301,14 @@ fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: usize
 pub fn coefficient_unit(setup: &Setup, base: usize) -> String {
     let b = &setup.derivation.base[base];
     if let Some((function, k)) = b.estimates {
-        let error = setup.model.functions[function].error;
-        let Some((axis, component)) = setup.model.axis_of(error) else { return String::new() };
-        let value = if component.is_rotation() { "rad" } else { "mm" };
-        let rotary = setup.model.axes().nth(axis).is_some_and(|a| a.kind == AxisKind::Rotary);
+        let Some(axis) = setup.axis(function) else { return String::new() };
+        let (value, per) = (setup.quantity(function).inner(), coordinate(axis).inner());
         return match &setup.model.functions[function].basis {
             Basis::Polynomials(p) => {
                 let degree = p.get(k).map_or(0, |u| u.0.len().saturating_sub(1));
-                format!("{value}/{}^{degree}", if rotary { "rad" } else { "mm" })
+                format!("{value}/{per}^{degree}")
             }
-            _ => value.to_owned(),
+            _ => value.to_string(),
         };
     }
     let run = &setup.derivation.runs[b.run];
@@ -332,11 +319,12 @@ pub fn coefficient_unit(setup: &Setup, base: usize) -> String {
         p.terms().first().map_or(0, |(m, _)| ids.map(|id| i32::from(m.exponent(id))).sum::<i32>())
     };
     let power = regressor.map_or(0, |r| degree(r.numerator()) - r.denominator().map_or(0, degree));
+    let length = Quantity::Length.inner();
     match 1 - power {
-        1 => "mm".to_owned(),
+        1 => length.to_string(),
         0 => "1".to_owned(),
-        -1 => "1/mm".to_owned(),
-        n if n < 0 => format!("1/mm^{}", -n),
-        n => format!("mm^{n}"),
+        -1 => format!("1/{length}"),
+        n if n < 0 => format!("1/{length}^{}", -n),
+        n => format!("{length}^{n}"),
     }
 }

@@ -4,7 +4,8 @@ use trunnion_codegen::algebra::{Fraction, Poly};
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
 use trunnion_codegen::identify::{BaseParameter, Derivation, DeriveError, derive};
-use trunnion_codegen::model::{self, Component, Model};
+use trunnion_codegen::model::{self, Axis, AxisKind, Model};
+use trunnion_codegen::quantity::Quantity;
 
 /// A model, its derivation, and the lengths of the set-up in mm.
 #[derive(Clone, Debug)]
@@ -106,9 +107,23 @@ impl Setup {
         self.model.notation.function(self.model.alphabet.error_name(self.model.functions[function].error))
     }
 
-    /// Which of the six components of its axis' errors a function is.
-    pub fn component(&self, function: usize) -> Option<Component> {
-        self.model.axis_of(self.model.functions[function].error).map(|(_, c)| c)
+    /// What a function measures.
+    pub fn quantity(&self, function: usize) -> Quantity {
+        self.model.alphabet.error_quantity(self.model.functions[function].error)
+    }
+
+    /// The axis whose coordinate a function depends on.
+    pub fn axis(&self, function: usize) -> Option<&Axis> {
+        let (axis, _) = self.model.axis_of(self.model.functions[function].error)?;
+        self.model.axes().nth(axis)
+    }
+}
+
+/// What an axis' coordinate measures.
+pub fn coordinate(axis: &Axis) -> Quantity {
+    match axis.kind {
+        AxisKind::Rotary => Quantity::Angle,
+        AxisKind::Linear => Quantity::Length,
     }
 }
 

@@ -1,6 +1,7 @@
 //! The symbols of one model and what the normal form knows about them.
 
 use super::{AlgebraError, MAX_NOMINALS};
+use crate::quantity::Quantity;
 
 /// Index of a nominal symbol: a constant, √2, π, a sweep, or a sweep's sine or cosine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,15 +20,6 @@ impl ErrorId {
     pub fn index(self) -> usize {
         usize::from(self.0) - 1
     }
-}
-
-/// What an error measures: lengths in mm, angles in rad.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// mm
-    Length,
-    /// rad
-    Angle,
 }
 
 /// The meaning of a nominal symbol.

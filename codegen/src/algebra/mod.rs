@@ -12,7 +12,8 @@ mod monomial;
 mod poly;
 mod rational;
 
-pub use alphabet::{Alphabet, ErrorId, Nominal, NominalId, Quantity, SweepId};
+pub use crate::quantity::Quantity;
+pub use alphabet::{Alphabet, ErrorId, Nominal, NominalId, SweepId};
 pub use elimination::{Reduced, reduce, subtract};
 pub use fraction::Fraction;
 pub use matrix::{Transform, Vector};

@@ -5,6 +5,7 @@ use super::{Failed, Which, numbers};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
+use trunnion::data::Unit;
 use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
 
 /// Arguments of `ring`.
@@ -81,7 +82,7 @@ impl Ring {
         let (fit, zone) = (&report.fit, &report.zone);
         let [x, y] = fit.circle.centre;
         let repeats = match report.largest_std() {
-            Some(std) => format!("largest standard deviation over repeats {:.2} µm\n", 1e3 * std),
+            Some(std) => format!("largest standard deviation over repeats {:.2} µm\n", Unit::Um.from_inner(std)),
             None => String::new(),
         };
         format!(
@@ -89,10 +90,10 @@ impl Ring {
              minimum zone:  centre ({:.4}, {:.4}) mm, roundness {:.2} µm\n{repeats}",
             report.deviations.len(),
             2.0 * fit.circle.radius + self.stylus,
-            1e3 * fit.roundness(),
+            Unit::Um.from_inner(fit.roundness()),
             zone.centre[0],
             zone.centre[1],
-            1e3 * zone.width(),
+            Unit::Um.from_inner(zone.width()),
         )
     }
 }

@@ -3,7 +3,6 @@
 use super::{Found, Line, Outcome, Plan, combined};
 use serde_json::{Value, json};
 use trunnion::study::plan::Predicted;
-use trunnion::study::unit;
 
 /// The same as one object for a program.
 pub fn json(plan: &Plan, found: &Found) -> Value {
@@ -52,12 +51,12 @@ fn object(line: &Line) -> Value {
         Outcome::Predicted { setup, prediction } => {
             let name = |b: &usize| setup.derivation.base[*b].name.clone();
             let function = |f: &Predicted| {
-                let (unit, scale) = unit(setup.component(f.function));
+                let unit = setup.quantity(f.function).deviation();
                 json!({
                     "name": setup.function_name(f.function),
-                    "unit": unit,
-                    "largest_std": f.largest.map(|l| l.std * scale),
-                    "largest_u95": f.largest.map(|l| l.u95 * scale),
+                    "unit": unit.suffix(),
+                    "largest_std": f.largest.map(|l| unit.from_inner(l.std)),
+                    "largest_u95": f.largest.map(|l| unit.from_inner(l.u95)),
                     "seen_together": f.together.iter().map(name).collect::<Vec<_>>(),
                 })
             };

@@ -5,7 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::words::{List, Names};
-use crate::data::unit::Unit;
+use trunnion_codegen::quantity::Unit;
 
 /// One thing wrong with a header.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

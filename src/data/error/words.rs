@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::data::unit::Unit;
+use trunnion_codegen::quantity::Unit;
 
 /// An angle in rad, shown in degrees without the last digits of the conversion and without a sign at zero.
 pub(super) struct Degrees(pub(super) f64);
