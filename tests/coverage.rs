@@ -6,9 +6,11 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 use trunnion::study::{Estimator, Limits, Plan, Setup, Spread, draw, fit, grid, monte_carlo};
 use trunnion_codegen::catalogue;
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
 use trunnion_solver::lstsq::student_t_95;
+use typed_index_collections::TiVec;
 
 const ESTIMATORS: [Estimator; 2] = [Estimator::Joint, Estimator::TwoStep];
 const MACHINES: u64 = 2000;
@@ -28,14 +30,14 @@ fn the_band_covers_the_truth_in_95_of_100_machines() {
     let function = setup.estimated().next().unwrap();
     let error = setup.model.functions[function].error;
     let sweeps = grid(90, (0.0, TAU));
-    let exact: Vec<ExactReading> = (0..2).map(|run| setup.exact(run, &sweeps)).collect();
+    let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|run| setup.exact(run, &sweeps)).collect();
     let covered = |n: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(2024);
         random.set_stream(n);
-        let machine = draw(&setup, &exact, limits, &mut random);
+        let machine = draw(&setup, &exact.raw, limits, &mut random);
         let mut observe =
-            |run: usize| setup.observe(run, &exact[run], &sweeps, &machine, || random.random_range(-1.0..=1.0) * NOISE);
-        let observations = [observe(0), observe(1)];
+            |run: RunId| setup.observe(run, &exact[run], &sweeps, &machine, || random.random_range(-1.0..=1.0) * NOISE);
+        let observations = [0, 1].map(|run| observe(run.into()));
         ESTIMATORS.map(|estimator| {
             let fitted = fit(&setup, &observations, estimator).unwrap();
             let t = student_t_95::<f64>(fitted.degrees_of_freedom);

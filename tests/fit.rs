@@ -12,10 +12,13 @@ use trunnion::study::{
     report,
 };
 use trunnion_codegen::catalogue;
+use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::measurement::ExactReading;
 use trunnion_solver::tilting::{Joint, TwoStep};
+use typed_index_collections::TiVec;
 
 const ESTIMATORS: [(Estimator, &str); 2] = [(Estimator::Joint, "joint"), (Estimator::TwoStep, "two-step")];
+/// The place of the tilting run among the observations.
 const TILTING: usize = 0;
 
 fn file(path: &str) -> PathBuf {
@@ -45,24 +48,22 @@ impl Set {
         let path = |f: &str| file(&format!("reference/tilting-table/{name}/{f}.csv"));
         let lengths = ["dya", "dza"].map(|name| Known { name: name.into(), quantity: Quantity::Length });
         let table = Table::read(&path("table"), "a", &lengths).unwrap();
-        let observe = |(run, name): (usize, &str)| {
+        let observe = |name: &str| {
             let sweep = Sweep::read(&path(name), "a", Radius::new(mm).unwrap(), 11).unwrap();
-            let known = |at: usize| match run == TILTING {
+            let known = |at: usize| match name == "tilting" {
                 true => table.at(sweep.samples()[at].angle_rad).unwrap(),
                 false => Vec::new(),
             };
             let samples = sweep.samples().iter().enumerate();
             let samples =
                 samples.map(|(i, s)| Sample { sweep: s.angle_rad, reading: s.reading_mm, known: known(i) }).collect();
-            Observation { run, weight: 1.0, samples }
+            Observation { run: setup.run(name).unwrap(), weight: 1.0, samples }
         };
-        let names = ["tilting", "separation"];
-        assert!(names.iter().enumerate().all(|(i, n)| setup.run(n) == Some(i)));
-        let observations = names.into_iter().enumerate().map(observe).collect();
+        let observations = ["tilting", "separation"].map(observe).into();
         Self { setup, observations, truth }
     }
 
-    fn eps_xa(&self) -> usize {
+    fn eps_xa(&self) -> FunctionId {
         self.setup.estimated().next().unwrap()
     }
 
@@ -154,13 +155,14 @@ fn without_noise_what_is_left_is_linearisations_and_within_its_bound() {
 fn no_drawn_machine_is_further_from_linear_than_the_bound() {
     let set = Set::read("full");
     let sweeps = grid(90, (0.0, std::f64::consts::TAU));
-    let exact: Vec<ExactReading> = (0..2).map(|run| set.setup.exact(run, &sweeps)).collect();
+    let exact: TiVec<RunId, ExactReading> =
+        set.setup.model.runs.keys().map(|run| set.setup.exact(run, &sweeps)).collect();
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let mut closest = 0.0f64;
     for _ in 0..100 {
-        let machine = draw(&set.setup, &exact, Limits::PAPER, &mut random);
+        let machine = draw(&set.setup, &exact.raw, Limits::PAPER, &mut random);
         let base = machine.base(&set.setup);
-        for (run, exact) in exact.iter().enumerate() {
+        for (run, exact) in exact.iter_enumerated() {
             let bound = neglected(&set.setup, run, &sweeps, Limits::PAPER).unwrap().bound;
             let known = set.setup.true_known(run, exact, &machine);
             let clean: Vec<f64> = exact.values(&machine).collect();
@@ -270,8 +272,8 @@ fn sensitivity_is_what_a_moved_reading_does() {
         for x in [30f64, 150.0, 300.0].map(f64::to_radians) {
             let value = |f: &Fit| f.function(&set.setup, set.eps_xa(), x).0;
             let sensitivity = whole.sensitivity(&set.setup, &set.observations, set.eps_xa(), x);
-            let largest = sensitivity.iter().flatten().fold(0.0f64, |m, w| m.max(w.abs()));
-            for (o, sensitivity) in sensitivity.iter().enumerate() {
+            let largest = sensitivity.observations().flatten().fold(0.0f64, |m, w| m.max(w.abs()));
+            for (o, sensitivity) in sensitivity.observations().enumerate() {
                 assert_eq!(sensitivity.len(), set.observations[o].samples.len());
                 for i in (0..360).step_by(45) {
                     let moved = fit(&set.setup, &set.moved(o, i, by), estimator).unwrap();
@@ -340,7 +342,9 @@ fn the_cost_of_no_table_is_what_the_worst_table_does() {
             let change = |x: f64| {
                 let sensitivity = whole.sensitivity(&set.setup, &set.observations, set.eps_xa(), x);
                 let mut observations = set.observations.clone();
-                for (s, w) in observations[TILTING].samples.iter_mut().zip(&sensitivity[TILTING]) {
+                for (s, w) in
+                    observations[TILTING].samples.iter_mut().zip(sensitivity.observations().nth(TILTING).unwrap())
+                {
                     let factor = [-s.sweep.sin(), s.sweep.cos()][at];
                     s.known[at] = 1e-3 * (w * factor).signum();
                 }

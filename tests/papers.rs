@@ -7,6 +7,7 @@ use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations::{self, Printer, Style};
 use trunnion_codegen::emit::model::rust_source;
 use trunnion_codegen::identify::{Derivation, derive};
+use trunnion_codegen::ids::{ParameterId, RunId};
 use trunnion_codegen::measurement;
 use trunnion_codegen::model::{Expr, Model, Node, Scope, parse, read};
 
@@ -110,12 +111,12 @@ fn by_name(model: &Model, reading: &Poly) -> Linear {
     reading.by_errors().into_iter().map(name).collect()
 }
 
-fn reading(model: &Model, derivation: &Derivation, run: usize) -> Linear {
+fn reading(model: &Model, derivation: &Derivation, run: RunId) -> Linear {
     by_name(model, &derivation.runs[run].reading)
 }
 
 /// A run's model equation: base parameters, known functions, and the estimated function itself.
-fn equation(model: &Model, derivation: &Derivation, run: usize) -> Linear {
+fn equation(model: &Model, derivation: &Derivation, run: RunId) -> Linear {
     let derived = &derivation.runs[run];
     let lumped = derived.regressors.iter().filter(|(b, _)| derivation.base[*b].estimates.is_none());
     let mut out: Linear = lumped.map(|(b, r)| (derivation.base[*b].name.clone(), whole(r, &model.alphabet))).collect();
@@ -131,6 +132,7 @@ fn equation(model: &Model, derivation: &Derivation, run: usize) -> Linear {
 #[test]
 fn every_printed_equation_beside_the_derived_one() {
     let (model, derivation) = paper();
+    let [tilting, separation] = [0, 1].map(RunId::from);
     let alphabet = &model.alphabet;
     let mut out = String::from(
         "K. I. Lee, D. M. Lee, S. H. Yang: Measurement of Angular Positioning Error for a Tilting Table\n",
@@ -145,7 +147,7 @@ fn every_printed_equation_beside_the_derived_one() {
         document[at..].iter().filter(|l| l.starts_with("  ΔR")).nth(nth).unwrap().trim().to_owned()
     };
 
-    let verdict = differences(&printed(PRINTED_5, &model, "a"), &reading(&model, &derivation, 0), alphabet);
+    let verdict = differences(&printed(PRINTED_5, &model, "a"), &reading(&model, &derivation, tilting), alphabet);
     section("5", PRINTED_5, &shown("Run tilting", 0), &verdict);
 
     // The paper's k8·R and w_z1 have one regressor and are one base parameter: compared as `w_z1 + R·(−d_zy1)`.
@@ -153,12 +155,12 @@ fn every_printed_equation_beside_the_derived_one() {
     let (w_z1, k8) = (seven.remove("w_z1").unwrap(), seven.remove("k8").unwrap());
     let of = |name: &str| derivation.base.iter().find(|b| b.name == name).unwrap();
     let definition = |name: &str| -> Linear {
-        let parameter = |(j, f): &(usize, Fraction)| (derivation.parameters[*j].name.clone(), whole(f, alphabet));
+        let parameter = |(j, f): &(ParameterId, Fraction)| (derivation.parameters[*j].name.clone(), whole(f, alphabet));
         of(name).definition.iter().map(parameter).collect()
     };
     let pair: Linear = [("w_z1".to_owned(), w_z1), ("d_zy1".to_owned(), k8.negated())].into();
     assert_eq!(definition("k8"), pair);
-    let mut derived = equation(&model, &derivation, 0);
+    let mut derived = equation(&model, &derivation, tilting);
     assert_eq!(derived.remove("k8"), Some(Poly::one()));
     let mut verdict = differences(&seven, &derived, alphabet);
     verdict += "  NOTE      w_z1 + k8·R is one base parameter: derived k8 = w_z1 − R·d_zy1 with the factor 1\n";
@@ -166,9 +168,9 @@ fn every_printed_equation_beside_the_derived_one() {
 
     let moving = catalogue::source("tilting-table-a").unwrap().replace("A = \"rest\"", "A = \"a\"");
     let moving = read(&moving).unwrap();
-    let with_table = measurement::reading(&moving, &moving.runs[1], Order::LINEAR).unwrap();
+    let with_table = measurement::reading(&moving, &moving.runs[separation], Order::LINEAR).unwrap();
     let with_table = by_name(&moving, &with_table);
-    let at_rest = reading(&model, &derivation, 1);
+    let at_rest = reading(&model, &derivation, separation);
     let printer = Printer { alphabet, style: Style::Pretty };
     let extra = with_table.iter().filter(|(name, _)| !at_rest.contains_key(*name));
     let extra: Vec<String> = extra.map(|(name, p)| format!("({})·{name}", printer.poly(p))).collect();
@@ -176,7 +178,7 @@ fn every_printed_equation_beside_the_derived_one() {
     assert_eq!(extra.len(), 4, "δ_ya, δ_za, o_ya, o_za");
     section("8", "WB2 = P_A [w_x2, w_y2, w_z2, 1]", "WB2 = [w_x2, w_y2, w_z2, 1], the table at rest", &verdict);
 
-    let verdict = differences(&printed(PRINTED_9, &model, "a"), &equation(&model, &derivation, 1), alphabet);
+    let verdict = differences(&printed(PRINTED_9, &model, "a"), &equation(&model, &derivation, separation), alphabet);
     section("9", PRINTED_9, &shown("Run separation", 1), &verdict);
 
     let function = document.iter().find(|l| l.trim_start().starts_with("e_xa(a)")).unwrap().trim();

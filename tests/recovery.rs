@@ -5,14 +5,16 @@ use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use trunnion::study::plan::{Intended, additions, predict, subset};
 use trunnion::study::{
-    Estimator, Limits, Machine, Observation, Setup, Variance, draw, fit, fit_with, grid, neglected, systematic,
+    Estimator, Limits, Machine, Observation, Setup, Variance, Weights, draw, fit, fit_with, grid, neglected, systematic,
 };
 use trunnion_codegen::catalogue::{self, MODELS};
 use trunnion_codegen::identify::derive;
+use trunnion_codegen::ids::{FunctionId, ParameterId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
 use trunnion_codegen::model::read_draft;
 use trunnion_solver::lstsq::student_t_95;
+use typed_index_collections::TiVec;
 
 fn setup(name: &str) -> Setup {
     let model = catalogue::model(name).unwrap().unwrap();
@@ -33,15 +35,15 @@ struct Simulated {
 
 fn simulate(setup: &Setup, samples: usize, limits: Limits, random: &mut ChaCha8Rng) -> Simulated {
     let sweeps = grid(samples, (0.0, TAU));
-    let exact: Vec<ExactReading> = (0..setup.model.runs.len()).map(|r| setup.exact(r, &sweeps)).collect();
-    let machine = draw(setup, &exact, limits, random);
+    let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|r| setup.exact(r, &sweeps)).collect();
+    let machine = draw(setup, &exact.raw, limits, random);
     let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, || 0.0);
-    let observations = exact.iter().enumerate().map(observe).collect();
+    let observations = exact.iter_enumerated().map(observe).collect();
     Simulated { machine, observations }
 }
 
 /// What an estimated function is as the runs see it, and whether that is the function itself.
-fn seen(setup: &Setup, machine: &Machine, function: usize, x: f64) -> (f64, bool) {
+fn seen(setup: &Setup, machine: &Machine, function: FunctionId, x: f64) -> (f64, bool) {
     let base = machine.base(setup);
     let basis = setup.basis(function, x);
     let alone = basis.iter().all(|(b, _)| setup.derivation.is_alone(*b));
@@ -65,8 +67,8 @@ fn every_model_recovers_its_exact_simulation() {
             .collect();
         // A reading is the difference of two lengths of some 300 mm.
         let rounding = 2e-13;
-        let left = |sensitivity: Vec<Vec<f64>>| -> f64 {
-            let pairs = sensitivity.iter().flatten().zip(bounds.iter().flatten());
+        let left = |sensitivity: Weights| -> f64 {
+            let pairs = sensitivity.observations().flatten().zip(bounds.iter().flatten());
             pairs.map(|(w, b)| w.abs() * (b + rounding)).sum()
         };
         let truth = machine.base(&setup);
@@ -144,7 +146,7 @@ fn predicted_deviations_are_those_of_many_measurements() {
         let trials = 2000;
         for _ in 0..trials {
             let mut observations: Vec<Observation> =
-                (0..2).map(|run| Observation::zero(&setup, run, &sweeps)).collect();
+                setup.model.runs.keys().map(|run| Observation::zero(&setup, run, &sweeps)).collect();
             for s in observations.iter_mut().flat_map(|o| &mut o.samples) {
                 s.reading = random.random_range(-half_width..=half_width);
             }
@@ -160,7 +162,8 @@ fn predicted_deviations_are_those_of_many_measurements() {
             assert!((ratio - 1.0).abs() < 0.05, "{estimator:?} {i}: {ratio}");
         }
         // A known deviation scales the band; it does not move with the residuals.
-        let zero: Vec<Observation> = (0..2).map(|run| Observation::zero(&setup, run, &sweeps)).collect();
+        let zero: Vec<Observation> =
+            setup.model.runs.keys().map(|run| Observation::zero(&setup, run, &sweeps)).collect();
         let twice = fit_with(&setup, &zero, estimator, Variance::Known(2.0 * intended.sigma)).unwrap();
         let std = twice.function(&setup, prediction.functions[0].function, at.at).1;
         assert!((std / at.std - 2.0).abs() < 1e-12);
@@ -208,10 +211,11 @@ fn what_linearisation_leaves_is_as_large_as_said() {
 #[test]
 fn fewer_runs_are_the_same_machine_with_less_to_see() {
     let whole = catalogue::model("tilting-table-a").unwrap().unwrap();
-    let rank = |runs: &[usize]| derive(&subset(&whole, runs).unwrap()).unwrap().rank();
-    assert_eq!((rank(&[0, 1]), rank(&[0]), rank(&[1])), (11, 8, 8));
+    let [tilting, separation] = [0, 1].map(RunId::from);
+    let rank = |runs: &[RunId]| derive(&subset(&whole, runs).unwrap()).unwrap().rank();
+    assert_eq!((rank(&[tilting, separation]), rank(&[tilting]), rank(&[separation])), (11, 8, 8));
     // Only the second run: what the order names of the first is gone, the rest is kept.
-    let second = subset(&whole, &[1]).unwrap();
+    let second = subset(&whole, &[separation]).unwrap();
     assert!(second.order.iter().all(|t| t.value != "o_ya") && second.order.iter().any(|t| t.value == "d_yz2"));
 }
 
@@ -229,7 +233,7 @@ fn an_added_run_separates_what_the_exact_kernel_says() {
         additions(&draft, &model, &derivation, &[("tilting-table-a", source), ("tilting-table-a-dyz", dyz)]);
     assert_eq!(tried, 4);
     let of = |run: &str, kept: bool| found.iter().find(|a| a.run == run && a.ball_kept == kept);
-    let name = |j: &usize| derivation.parameters[*j].name.as_str();
+    let name = |j: &ParameterId| derivation.parameters[*j].name.as_str();
     let separation = of("separation", false).unwrap();
     let determined: Vec<&str> = separation.determines.iter().map(name).collect();
     println!("{found:?}");

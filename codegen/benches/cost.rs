@@ -61,7 +61,7 @@ fn machine(count: usize) -> Model {
 
 /// The coefficients of the first run's linear reading, one for each error it sees.
 fn row(model: &Model) -> String {
-    let linear = reading(model, &model.runs[0], Order::LINEAR).expect("a reading");
+    let linear = reading(model, &model.runs.raw[0], Order::LINEAR).expect("a reading");
     let mut graph = Graph::new();
     let mut elements = Vec::new();
     for (errors, coefficient) in linear.by_errors() {
@@ -89,8 +89,8 @@ fn main() {
         let model = machine(count);
         for order in 1..=3 {
             let order = Order::new(order).expect("a small order");
-            let terms = reading(&model, &model.runs[0], order).expect("a reading").terms().len();
-            let times = timed(|| reading(&model, &model.runs[0], order));
+            let terms = reading(&model, &model.runs.raw[0], order).expect("a reading").terms().len();
+            let times = timed(|| reading(&model, &model.runs.raw[0], order));
             show(&format!("{count} axes, order {}, {terms} terms", order.get()), times);
         }
     }

@@ -8,6 +8,7 @@ pub mod emit;
 pub mod exechon;
 pub mod graph;
 pub mod identify;
+pub mod ids;
 pub mod kinematics;
 pub mod measurement;
 pub mod model;

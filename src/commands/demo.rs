@@ -11,6 +11,7 @@ use trunnion::data::{Unit, write_atomically};
 use trunnion::plot::{Chart, Mark, Panel, Scale, Series, Tone};
 use trunnion::study::{Estimator, Limits, Report, Setup, fit, report};
 use trunnion_codegen::emit::equations;
+use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 
 /// The paper's machine.
@@ -52,9 +53,10 @@ impl Demo {
         );
         let mut reports = Vec::new();
         for estimator in [Estimator::Joint, Estimator::TwoStep] {
-            let name = |r: usize| setup.model.runs[r].name.clone();
-            let fitted = fit(&setup, &measured.observations, estimator).map_err(|e| Refused::fit(&setup, &name, &e))?;
-            let report = report(&setup, &measured.observations, &fitted, Limits::PAPER, false)
+            let name = |r: RunId| setup.model.runs[r].name.clone();
+            let fitted =
+                fit(&setup, &measured.observations.raw, estimator).map_err(|e| Refused::fit(&setup, &name, &e))?;
+            let report = report(&setup, &measured.observations.raw, &fitted, Limits::PAPER, false)
                 .map_err(|e| Refused::setup(&model, &e))?;
             reports.push((estimator, report));
         }
@@ -81,14 +83,7 @@ fn recovered(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)]
     let mut out = String::new();
     let truth = measured.machine.base(setup);
     let of = |name: &str| {
-        setup
-            .derivation
-            .base
-            .iter()
-            .position(|b| b.name == name)
-            .and_then(|i| truth.get(i))
-            .copied()
-            .unwrap_or(f64::NAN)
+        setup.derivation.base.position(|b| b.name == name).and_then(|b| truth.get(b)).copied().unwrap_or(f64::NAN)
     };
     for (estimator, report) in reports {
         let _ = writeln!(out, "\n{}: condition {:.1}", estimate::name(*estimator), report.condition);
@@ -124,7 +119,7 @@ fn recovered(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)]
 }
 
 /// True value of an estimated angular function in µrad (of a length, µm) at degrees.
-fn true_value(setup: &Setup, measured: &Measured, function: usize, deg: f64) -> f64 {
+fn true_value(setup: &Setup, measured: &Measured, function: FunctionId, deg: f64) -> f64 {
     let value = measured.machine.value(setup.model.functions[function].error, deg.to_radians());
     setup.quantity(function).deviation().from_inner(value)
 }

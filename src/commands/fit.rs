@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 use trunnion::data::{Known, Radius, Sweep, Table};
 use trunnion::study::{Estimator, Observation, Sample, Setup, fit, report};
 use trunnion_codegen::emit::model::known_name;
+use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::model::Coordinate;
+use typed_index_collections::{TiSlice, TiVec, ti_vec};
 
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
@@ -66,7 +68,7 @@ impl Fit {
         let files = self.files(&setup)?;
         let observations = self.observations(&setup, radius, &files)?;
         let estimator = Estimator::from(self.estimator);
-        let file_of = |run: usize| files[run].0.display().to_string();
+        let file_of = |run: RunId| files[run].0.display().to_string();
         let fitted = fit(&setup, &observations, estimator).map_err(|e| Refused::fit(&setup, &file_of, &e))?;
         let limits = limits(self.length_um, self.angle_urad)?;
         let without_table = self.table.is_none();
@@ -81,10 +83,10 @@ impl Fit {
         })
     }
 
-    /// The file of every run, in the model's order.
-    fn files(&self, setup: &Setup) -> Result<Vec<Source>, Refused> {
+    /// The file of every run.
+    fn files(&self, setup: &Setup) -> Result<TiVec<RunId, Source>, Refused> {
         let names = run_names(setup);
-        let mut files: Vec<Option<Source>> = vec![None; names.len()];
+        let mut files: TiVec<RunId, Option<Source>> = ti_vec![None; names.len()];
         for given in &self.runs {
             let not = || Refused::NotAPair {
                 option: "run",
@@ -93,7 +95,7 @@ impl Fit {
                 example: "tilting=run1.csv",
             };
             let (name, file) = given.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(not)?;
-            let channels: Vec<usize> =
+            let channels: Vec<RunId> =
                 ["-x", "-y", "-z"].iter().filter_map(|c| setup.run(&format!("{name}{c}"))).collect();
             let runs = match setup.run(name) {
                 Some(run) => vec![(run, READING)],
@@ -102,7 +104,7 @@ impl Fit {
             };
             for (run, column) in runs {
                 if files[run].replace((PathBuf::from(file), column)).is_some() {
-                    return Err(Refused::RunTwice(names[run].to_owned()));
+                    return Err(Refused::RunTwice(setup.model.runs[run].name.clone()));
                 }
             }
         }
@@ -111,9 +113,9 @@ impl Fit {
         files.into_iter().zip(&names).map(missing).collect()
     }
 
-    /// The weight of every run, in the model's order.
-    fn weights(&self, setup: &Setup) -> Result<Vec<f64>, Refused> {
-        let mut weights: Vec<Option<f64>> = vec![None; setup.model.runs.len()];
+    /// The weight of every run.
+    fn weights(&self, setup: &Setup) -> Result<TiVec<RunId, f64>, Refused> {
+        let mut weights: TiVec<RunId, Option<f64>> = ti_vec![None; setup.model.runs.len()];
         for given in &self.weights {
             let number = |(name, w): (&str, &str)| Some((setup.run(name), name.to_owned(), w.parse().ok()?));
             let usable = |w: &f64| (1.0 / MOST_WEIGHT..=MOST_WEIGHT).contains(w);
@@ -129,11 +131,16 @@ impl Fit {
         Ok(weights.into_iter().map(|w| w.unwrap_or(1.0)).collect())
     }
 
-    fn observations(&self, setup: &Setup, radius: Radius, files: &[Source]) -> Result<Vec<Observation>, Refused> {
+    fn observations(
+        &self,
+        setup: &Setup,
+        radius: Radius,
+        files: &TiSlice<RunId, Source>,
+    ) -> Result<Vec<Observation>, Refused> {
         let weights = self.weights(setup)?;
         let table = self.table.as_deref().map(|file| known_table(setup, file)).transpose()?;
         let mut observations = Vec::new();
-        for (run, (file, column)) in files.iter().enumerate() {
+        for (run, (file, column)) in files.iter_enumerated() {
             let described = &setup.model.runs[run];
             let derived = &setup.derivation.runs[run];
             let least = derived.regressors.len() + 1;
@@ -174,9 +181,9 @@ fn run_names(setup: &Setup) -> Vec<&str> {
     setup.model.runs.iter().map(|r| r.name.as_str()).collect()
 }
 
-/// The table of all known functions that the runs see, and their positions in the model.
-fn known_table(setup: &Setup, file: &Path) -> Result<(Table, Vec<usize>), Refused> {
-    let mut functions: Vec<usize> =
+/// The table of all known functions that the runs see, and which they are.
+fn known_table(setup: &Setup, file: &Path) -> Result<(Table, Vec<FunctionId>), Refused> {
+    let mut functions: Vec<FunctionId> =
         setup.derivation.runs.iter().flat_map(|r| r.known.iter().map(|(f, _)| *f)).collect();
     functions.sort_unstable();
     functions.dedup();
@@ -187,10 +194,10 @@ fn known_table(setup: &Setup, file: &Path) -> Result<(Table, Vec<usize>), Refuse
         let own = setup.model.alphabet.sweep_symbols(run.sweep)[0];
         let is_sweep = |c: &Coordinate| c.poly().is_none_or(|p| *p == trunnion_codegen::algebra::Poly::nominal(own));
         if !is_sweep(&run.at[axis]) {
-            let axis = setup.model.axes().nth(axis).map_or_else(String::new, |a| a.name.clone());
+            let axis = setup.model.axis(axis).map_or_else(String::new, |a| a.name.clone());
             return Err(Refused::TableCoordinate(known_name(&setup.model, f), axis));
         }
     }
-    let known = |&f: &usize| Known { name: known_name(&setup.model, f), quantity: setup.quantity(f) };
+    let known = |&f: &FunctionId| Known { name: known_name(&setup.model, f), quantity: setup.quantity(f) };
     Ok((Table::read(file, angle, &functions.iter().map(known).collect::<Vec<_>>())?, functions))
 }

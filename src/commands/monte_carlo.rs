@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use trunnion::data::Unit;
 use trunnion::study::{Estimator, Observation, Plan, Setup, Spread, Trial, WARN_CONDITION, Warning, fit, monte_carlo};
+use trunnion_codegen::ids::{FunctionId, RunId};
 
 /// Arguments of `monte-carlo`.
 #[derive(Debug, Args)]
@@ -60,9 +61,9 @@ impl MonteCarlo {
 
 /// Says on standard error where the range is too short for the numbers to mean much.
 fn warn(setup: &Setup, simulation: &Simulation, estimator: Estimator) -> Result<(), Refused> {
-    let name = |run: usize| setup.model.runs[run].name.clone();
+    let name = |run: RunId| setup.model.runs[run].name.clone();
     let sweeps = simulation.sweeps();
-    let design: Vec<Observation> = (0..setup.model.runs.len()).map(|r| Observation::zero(setup, r, &sweeps)).collect();
+    let design: Vec<Observation> = setup.model.runs.keys().map(|r| Observation::zero(setup, r, &sweeps)).collect();
     let separation = fit(setup, &design, estimator).map_err(|e| Refused::fit(setup, &name, &e))?.separation;
     if separation.condition > WARN_CONDITION {
         let names = separation.weakest.iter().map(|&b| setup.derivation.base[b].name.clone()).collect();
@@ -91,7 +92,7 @@ pub fn studies(
         noise: simulation.noise_um * Unit::Um.factor(),
         seed: simulation.seed,
     };
-    let functions: Vec<usize> = setup.estimated().collect();
+    let functions: Vec<FunctionId> = setup.estimated().collect();
     if functions.is_empty() {
         return Err(Refused::NothingEstimated);
     }

@@ -8,6 +8,7 @@ use std::fmt::Write;
 use trunnion::data::Unit;
 use trunnion::study::plan::{Intended, Predicted, predict};
 use trunnion::study::{Estimator, Setup, coefficient_unit, coordinate};
+use trunnion_codegen::ids::RunId;
 
 /// How is intended to be measured.
 #[derive(Clone, Copy, Debug, Args)]
@@ -44,7 +45,7 @@ pub fn range(text: &str) -> Result<(f64, f64), &'static str> {
 
 /// What all runs over one range would give, as text.
 pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Result<String, Refused> {
-    let name = |run: usize| setup.model.runs[run].name.clone();
+    let name = |run: RunId| setup.model.runs[run].name.clone();
     let estimator = Estimator::from(measuring.estimator);
     let p = predict(setup, measuring.over(range)?, estimator).map_err(|e| Refused::fit(setup, &name, &e))?;
     let lengths = setup.model.alphabet.constants().map(|n| format!("{n} = {} mm", setup.constant(n)));

@@ -8,6 +8,7 @@ use trunnion::plot::PlotError;
 use trunnion::study::{FitError, LARGEST, Setup, SetupError};
 use trunnion_codegen::graph::Unbound;
 use trunnion_codegen::identify::DeriveError;
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::{Model, Problem};
 use trunnion_codegen::problems::of_derivation;
 
@@ -95,8 +96,8 @@ impl Refused {
     }
 
     /// A failed fit in words; `files` names the file of each run.
-    pub fn fit(setup: &Setup, files: &dyn Fn(usize) -> String, e: &FitError) -> Self {
-        let list = |runs: &[usize]| runs.iter().map(|&r| files(r)).collect::<Vec<_>>().join(", ");
+    pub fn fit(setup: &Setup, files: &dyn Fn(RunId) -> String, e: &FitError) -> Self {
+        let list = |runs: &[RunId]| runs.iter().map(|&r| files(r)).collect::<Vec<_>>().join(", ");
         Self::Fit(match e {
             FitError::TooFewSamples { runs, samples, needed } => {
                 format!(

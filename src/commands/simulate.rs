@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use trunnion::data::{Known, Sweep, Table, Truth, TruthFunction, Unit};
 use trunnion::study::Setup;
 use trunnion_codegen::emit::model::known_name;
+use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 
 /// Arguments of `simulate`.
@@ -57,8 +58,8 @@ pub fn write(
 
 /// The known functions at the samples of the run that sees most of them.
 fn table(setup: &Setup, measured: &Measured, out: &Path) -> Result<(), Refused> {
-    let most = |r: &usize| setup.derivation.runs[*r].known.len();
-    let Some(run) = (0..setup.derivation.runs.len()).max_by_key(most).filter(|r| most(r) > 0) else { return Ok(()) };
+    let most = |r: &RunId| setup.derivation.runs[*r].known.len();
+    let Some(run) = setup.derivation.runs.keys().max_by_key(most).filter(|r| most(r) > 0) else { return Ok(()) };
     let known = setup.derivation.runs[run]
         .known
         .iter()
@@ -71,7 +72,7 @@ fn table(setup: &Setup, measured: &Measured, out: &Path) -> Result<(), Refused> 
 
 fn truth(setup: &Setup, simulation: &Simulation, measured: &Measured, radius_mm: f64) -> Truth {
     let (first, last) = ((simulation.from_deg / 5.0).ceil() as i64, (simulation.to_deg / 5.0).floor() as i64);
-    let function = |f: usize| {
+    let function = |f: FunctionId| {
         let error = setup.model.functions[f].error;
         let unit = setup.quantity(f).deviation();
         let value = |deg: f64| unit.from_inner(measured.machine.value(error, deg.to_radians()));

@@ -6,7 +6,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use trunnion::data::Unit;
 use trunnion::study::{Limits, Machine, Observation, Setup, draw, grid};
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::measurement::ExactReading;
+use typed_index_collections::TiVec;
 
 /// What is simulated.
 #[derive(Clone, Copy, Debug, Args)]
@@ -89,12 +91,12 @@ impl Simulation {
     /// Draws a machine and measures it.
     pub fn measure(&self, setup: &Setup) -> Measured {
         let sweeps = self.sweeps();
-        let exact: Vec<ExactReading> = (0..setup.model.runs.len()).map(|r| setup.exact(r, &sweeps)).collect();
+        let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|r| setup.exact(r, &sweeps)).collect();
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        let machine = draw(setup, &exact, self.limits(), &mut random);
+        let machine = draw(setup, &exact.raw, self.limits(), &mut random);
         let mut noise = || random.random_range(-1.0..=1.0) * self.noise_um * Unit::Um.factor();
         let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, &mut noise);
-        let observations = exact.iter().enumerate().map(observe).collect();
+        let observations = exact.iter_enumerated().map(observe).collect();
         Measured { machine, observations }
     }
 }
@@ -102,5 +104,5 @@ impl Simulation {
 /// A machine and what was read on it.
 pub struct Measured {
     pub machine: Machine,
-    pub observations: Vec<Observation>,
+    pub observations: TiVec<RunId, Observation>,
 }

@@ -11,9 +11,11 @@ use rand::{Rng, RngExt};
 use trunnion_codegen::algebra::{ErrorId, Quantity};
 use trunnion_codegen::basis::{Basis, Univariate};
 use trunnion_codegen::identify::{Origin, Parameter};
+use trunnion_codegen::ids::{BaseId, ParameterId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
 use trunnion_codegen::model::AxisKind;
+use typed_index_collections::TiVec;
 
 /// Largest errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,12 +93,12 @@ impl ErrorValues for Machine {
 
 impl Machine {
     /// True value of every physical parameter of the derivation, in its order: mm, rad, or per power of the coordinate.
-    pub fn parameters(&self, setup: &Setup) -> Vec<f64> {
+    pub fn parameters(&self, setup: &Setup) -> TiVec<ParameterId, f64> {
         let value = |p: &Parameter| match p.origin {
             Origin::Constant(error) => self.value(error, 0.0),
-            Origin::Coefficient(function, k) => {
-                let error = setup.model.functions[function].error;
-                self.coefficients[error.index()].get(k).copied().unwrap_or(0.0)
+            Origin::Coefficient(c) => {
+                let error = setup.model.functions[c.function].error;
+                self.coefficients[error.index()].get(usize::from(c.term)).copied().unwrap_or(0.0)
             }
         };
         setup.derivation.parameters.iter().map(value).collect()
@@ -108,7 +110,7 @@ impl Machine {
     }
 
     /// True value of every base parameter.
-    pub fn base(&self, setup: &Setup) -> Vec<f64> {
+    pub fn base(&self, setup: &Setup) -> TiVec<BaseId, f64> {
         let parameters = self.parameters(setup);
         setup.definitions().iter().map(|d| d.iter().map(|(j, f)| f * parameters[*j]).sum()).collect()
     }
@@ -140,13 +142,13 @@ pub fn draw(setup: &Setup, runs: &[ExactReading], limits: Limits, random: &mut i
 /// The functions an error is a combination of: 1 for a location or set-up error.
 pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<Shape> {
     let Some((axis, _)) = setup.model.axis_of(error) else { return vec![Shape::Constant(1.0)] };
-    let kind = setup.model.axes().nth(axis).map_or(AxisKind::Linear, |a| a.kind);
+    let kind = setup.model.axis(axis).map_or(AxisKind::Linear, |a| a.kind);
     let wave = |k: usize, at: usize, cos: bool| {
         let mut waves = vec![(0.0, 0.0); k];
         waves[at - 1] = if cos { (1.0, 0.0) } else { (0.0, 1.0) };
         waves
     };
-    match (setup.model.function(error).map(|f| &f.basis), kind) {
+    match (setup.model.function(error).map(|(_, f)| &f.basis), kind) {
         (Some(Basis::Zero), _) => Vec::new(),
         (Some(Basis::Polynomials(p)), _) => {
             let number = |u: &Univariate| u.coefficients(&setup.model.alphabet, &|n| setup.constant(n));

@@ -6,7 +6,9 @@
 
 use super::least_squares::{self, Separation, Solved, Unsolved};
 use super::setup::Setup;
+use super::weights::Weights;
 use nalgebra::{DMatrix, DVector};
+use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
 
 /// How the runs are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -32,8 +34,8 @@ pub struct Sample {
 /// The data of one run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
-    /// Position of the run in the model.
-    pub run: usize,
+    /// The run.
+    pub run: RunId,
     /// Weight of each sample: one over the variance of its reading, up to a common factor.
     pub weight: f64,
     /// Its samples.
@@ -52,7 +54,7 @@ pub enum Variance {
 
 impl Observation {
     /// A run at the given sweeps (rad) with all readings zero: for what does not depend on readings.
-    pub fn zero(setup: &Setup, run: usize, sweeps: &[f64]) -> Self {
+    pub fn zero(setup: &Setup, run: RunId, sweeps: &[f64]) -> Self {
         let known = vec![0.0; setup.derivation.runs[run].known.len()];
         let samples = sweeps.iter().map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone() }).collect();
         Self { run, weight: 1.0, samples }
@@ -65,7 +67,7 @@ pub enum FitError {
     /// Too few samples for the coefficients.
     TooFewSamples {
         /// The runs of the step that failed.
-        runs: Vec<usize>,
+        runs: Vec<RunId>,
         /// Samples there are.
         samples: usize,
         /// Samples needed.
@@ -74,9 +76,9 @@ pub enum FitError {
     /// The samples do not tell coefficients apart.
     Confounded {
         /// The runs of the step that failed.
-        runs: Vec<usize>,
+        runs: Vec<RunId>,
         /// The base parameters concerned.
-        base: Vec<usize>,
+        base: Vec<BaseId>,
     },
     /// A sample, or a result, is not finite.
     NotFinite,
@@ -92,7 +94,7 @@ pub struct Fit {
     /// How it was made.
     pub estimator: Estimator,
     /// Base parameters that were estimated, ascending.
-    pub base: Vec<usize>,
+    pub base: Vec<BaseId>,
     /// Their values, in the order of `base`.
     pub values: DVector<f64>,
     /// Their covariance.
@@ -101,7 +103,7 @@ pub struct Fit {
     pub degrees_of_freedom: u32,
     /// Root mean square of each observation's residuals, mm.
     pub rms: Vec<f64>,
-    /// How well the samples separate the base parameters (positions in the derivation).
+    /// How well the samples separate the base parameters.
     pub separation: Separation,
     steps: Vec<Step>,
 }
@@ -110,8 +112,8 @@ pub struct Fit {
 #[derive(Clone, Debug)]
 struct Step {
     observations: Vec<usize>,
-    columns: Vec<usize>,
-    given: Vec<usize>,
+    columns: Vec<BaseId>,
+    given: Vec<BaseId>,
     /// (E'WE)⁻¹
     inverse: DMatrix<f64>,
     /// ∂columns/∂given
@@ -153,11 +155,12 @@ pub fn fit_with(
     let base_count = setup.derivation.base.len();
     let mut values = DVector::zeros(base_count);
     let mut covariance = DMatrix::zeros(base_count, base_count);
+    let at = |row: BaseId, column: BaseId| (usize::from(row), usize::from(column));
     let mut steps: Vec<Step> = Vec::new();
     let mut separation = Separation { condition: 1.0, weakest: Vec::new() };
     let mut degrees_of_freedom = 0;
     for members in plan.into_iter().filter(|m| !m.is_empty()) {
-        let known: Vec<usize> = steps.iter().flat_map(|s| s.columns.iter().copied()).collect();
+        let known: Vec<BaseId> = steps.iter().flat_map(|s| s.columns.iter().copied()).collect();
         let (step, solved) = solve(setup, observations, members, &known, &values)?;
         degrees_of_freedom = solved.samples.saturating_sub(step.columns.len() as u32);
         let variance = match variance {
@@ -165,32 +168,32 @@ pub fn fit_with(
             Variance::Known(std) => std * std,
         };
         let given =
-            DMatrix::from_fn(step.given.len(), step.given.len(), |i, j| covariance[(step.given[i], step.given[j])]);
+            DMatrix::from_fn(step.given.len(), step.given.len(), |i, j| covariance[at(step.given[i], step.given[j])]);
         let cross = &step.gain * &given;
         let own = &step.inverse * variance + &cross * step.gain.transpose();
         for (i, &b) in step.columns.iter().enumerate() {
-            values[b] = solved.coefficients[i];
+            values[usize::from(b)] = solved.coefficients[i];
             for (j, &c) in step.columns.iter().enumerate() {
-                covariance[(b, c)] = own[(i, j)];
+                covariance[at(b, c)] = own[(i, j)];
             }
             for (j, &c) in step.given.iter().enumerate() {
-                covariance[(b, c)] = cross[(i, j)];
-                covariance[(c, b)] = cross[(i, j)];
+                covariance[at(b, c)] = cross[(i, j)];
+                covariance[at(c, b)] = cross[(i, j)];
             }
         }
-        if solved.separation.condition > separation.condition {
-            let weakest = solved.separation.weakest.iter().map(|&i| step.columns[i]).collect();
-            separation = Separation { condition: solved.separation.condition, weakest };
+        let (condition, weakest) = solved.condition;
+        if condition > separation.condition {
+            separation = Separation { condition, weakest: weakest.iter().map(|&i| step.columns[i]).collect() };
         }
         steps.push(step);
     }
-    let mut base: Vec<usize> = steps.iter().flat_map(|s| s.columns.iter().copied()).collect();
+    let mut base: Vec<BaseId> = steps.iter().flat_map(|s| s.columns.iter().copied()).collect();
     base.sort_unstable();
     let rms = observations.iter().map(|o| rms(setup, o, &values)).collect();
     Ok(Fit {
         estimator,
-        values: DVector::from_iterator(base.len(), base.iter().map(|&b| values[b])),
-        covariance: DMatrix::from_fn(base.len(), base.len(), |i, j| covariance[(base[i], base[j])]),
+        values: DVector::from_iterator(base.len(), base.iter().map(|&b| values[usize::from(b)])),
+        covariance: DMatrix::from_fn(base.len(), base.len(), |i, j| covariance[at(base[i], base[j])]),
         base,
         degrees_of_freedom,
         rms,
@@ -203,14 +206,14 @@ fn solve(
     setup: &Setup,
     observations: &[Observation],
     members: Vec<usize>,
-    known: &[usize],
+    known: &[BaseId],
     values: &DVector<f64>,
 ) -> Result<(Step, Solved), FitError> {
-    let seen = |b: &usize| {
+    let seen = |b: &BaseId| {
         members.iter().any(|&m| setup.derivation.runs[observations[m].run].regressors.iter().any(|(c, _)| c == b))
     };
-    let (given, columns): (Vec<usize>, Vec<usize>) =
-        (0..setup.derivation.base.len()).filter(seen).partition(|b| known.contains(b));
+    let (given, columns): (Vec<BaseId>, Vec<BaseId>) =
+        setup.derivation.base.keys().filter(seen).partition(|b| known.contains(b));
     let too_many = FitError::TooManyCoefficients(columns.len());
     let mut factor = least_squares::factor(columns.len()).ok_or_else(|| too_many.clone())?;
     // One further factor per given column: its regression on the unknown columns is the gain.
@@ -219,7 +222,7 @@ fn solve(
     let mut row = vec![0.0; columns.len()];
     for &m in &members {
         let observation = &observations[m];
-        let place = |list: &[usize]| -> Vec<Option<usize>> {
+        let place = |list: &[BaseId]| -> Vec<Option<usize>> {
             let regressors = setup.derivation.runs[observation.run].regressors.iter();
             regressors.map(|(b, _)| list.iter().position(|c| c == b)).collect()
         };
@@ -234,7 +237,7 @@ fn solve(
                     row[*at] = x;
                 }
                 if let Some(k) = k {
-                    y -= x * values[given[*k]];
+                    y -= x * values[usize::from(given[*k])];
                 }
             }
             factor.push(&row, y, observation.weight).map_err(|_| FitError::NotFinite)?;
@@ -270,7 +273,7 @@ fn rms(setup: &Setup, observation: &Observation, values: &DVector<f64>) -> f64 {
     let square = |sample: &Sample| {
         let (row, factors) = evaluator.at(sample.sweep);
         let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
-        let model: f64 = row.iter().zip(regressors).map(|(x, (b, _))| x * values[*b]).sum();
+        let model: f64 = row.iter().zip(regressors).map(|(x, (b, _))| x * values[usize::from(*b)]).sum();
         (sample.reading - known - model).powi(2)
     };
     let sum: f64 = observation.samples.iter().map(square).sum();
@@ -279,13 +282,13 @@ fn rms(setup: &Setup, observation: &Observation, values: &DVector<f64>) -> f64 {
 
 impl Fit {
     /// Value and standard deviation of an estimated function at a coordinate of its axis (mm or rad).
-    pub fn function(&self, setup: &Setup, function: usize, x: f64) -> (f64, f64) {
+    pub fn function(&self, setup: &Setup, function: FunctionId, x: f64) -> (f64, f64) {
         let g = self.functional(setup, function, x);
         (g.dot(&self.values), (&self.covariance * &g).dot(&g).max(0.0).sqrt())
     }
 
-    /// How the value of a function at `x` depends on each reading: per observation, d value / d reading.
-    pub fn sensitivity(&self, setup: &Setup, observations: &[Observation], function: usize, x: f64) -> Vec<Vec<f64>> {
+    /// How the value of a function at `x` depends on each reading.
+    pub fn sensitivity(&self, setup: &Setup, observations: &[Observation], function: FunctionId, x: f64) -> Weights {
         self.backwards(
             setup,
             observations,
@@ -293,20 +296,20 @@ impl Fit {
         )
     }
 
-    /// How a base parameter depends on each reading: per observation, d value / d reading.
-    pub fn coefficient_sensitivity(&self, setup: &Setup, observations: &[Observation], base: usize) -> Vec<Vec<f64>> {
+    /// How a base parameter depends on each reading.
+    pub fn coefficient_sensitivity(&self, setup: &Setup, observations: &[Observation], base: BaseId) -> Weights {
         let mut one = DVector::zeros(setup.derivation.base.len());
-        one[base] = 1.0;
+        one[usize::from(base)] = 1.0;
         self.backwards(setup, observations, one)
     }
 
-    fn backwards(&self, setup: &Setup, observations: &[Observation], mut weight: DVector<f64>) -> Vec<Vec<f64>> {
+    fn backwards(&self, setup: &Setup, observations: &[Observation], mut weight: DVector<f64>) -> Weights {
         // Backwards through the steps: what a later step makes of its given columns counts for the step before.
         let mut of = vec![Vec::new(); observations.len()];
         for step in self.steps.iter().rev() {
-            let own = DVector::from_iterator(step.columns.len(), step.columns.iter().map(|&b| weight[b]));
+            let own = DVector::from_iterator(step.columns.len(), step.columns.iter().map(|&b| weight[usize::from(b)]));
             for (k, &b) in step.given.iter().enumerate() {
-                weight[b] += step.gain.column(k).dot(&own);
+                weight[usize::from(b)] += step.gain.column(k).dot(&own);
             }
             let u = &step.inverse * own;
             for &o in &step.observations {
@@ -322,10 +325,10 @@ impl Fit {
                 of[o] = observation.samples.iter().map(one).collect();
             }
         }
-        of
+        Weights(of)
     }
 
-    fn functional(&self, setup: &Setup, function: usize, x: f64) -> DVector<f64> {
+    fn functional(&self, setup: &Setup, function: FunctionId, x: f64) -> DVector<f64> {
         let mut g = DVector::zeros(self.base.len());
         for (b, value) in setup.basis(function, x) {
             if let Ok(at) = self.base.binary_search(&b) {
@@ -338,7 +341,7 @@ impl Fit {
     fn expand(&self, g: &DVector<f64>, size: usize) -> DVector<f64> {
         let mut all = DVector::zeros(size);
         for (&b, v) in self.base.iter().zip(g.iter()) {
-            all[b] = *v;
+            all[usize::from(b)] = *v;
         }
         all
     }

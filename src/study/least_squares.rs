@@ -4,18 +4,19 @@
 //! fitted by the same code.
 
 use nalgebra::{DMatrix, DVector, SVector};
+use trunnion_codegen::ids::BaseId;
 use trunnion_solver::lstsq::{Factor, Rejected, SolveError};
 
 /// The largest number of coefficients.
 pub const LARGEST: usize = 64;
 
-/// How well the samples separate the coefficients.
+/// How well the samples separate the base parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Separation {
     /// Condition number of the design, columns scaled.
     pub condition: f64,
-    /// Columns that take part in what is separated worst.
-    pub weakest: Vec<usize>,
+    /// Those that take part in what is separated worst.
+    pub weakest: Vec<BaseId>,
 }
 
 /// Coefficients, and their covariance for readings of standard deviation 1 mm.
@@ -24,7 +25,8 @@ pub(super) struct Solved {
     pub inverse: DMatrix<f64>,
     pub rss: f64,
     pub samples: u32,
-    pub separation: Separation,
+    /// Condition number of the design, columns scaled, and the columns that are separated worst.
+    pub condition: (f64, Vec<usize>),
 }
 
 /// Why there is no solution; columns are positions in the row.
@@ -62,7 +64,7 @@ impl<const P: usize> Accumulate for Factor<f64, P> {
             inverse: DMatrix::from_iterator(P, P, solution.covariance.iter().copied()),
             rss: self.residual_sum_of_squares(),
             samples: self.samples(),
-            separation: Separation { condition: condition.number, weakest: condition.weakest.iter().collect() },
+            condition: (condition.number, condition.weakest.iter().collect()),
         })
     }
 }

@@ -12,6 +12,7 @@ mod report;
 mod setup;
 mod simulate;
 mod systematic;
+mod weights;
 
 pub use draw::{Limits, Machine, draw};
 pub use fit::{Estimator, Fit, FitError, Observation, Sample, Variance, fit, fit_with};
@@ -22,3 +23,4 @@ pub use report::{Coefficient, Curve, Point, Report, WARN_CONDITION, Warning, coe
 pub use setup::{Setup, SetupError, coordinate};
 pub use simulate::grid;
 pub use systematic::{Systematic, Term, systematic};
+pub use weights::Weights;

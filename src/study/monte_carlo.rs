@@ -4,11 +4,14 @@ use super::draw::{Limits, draw};
 use super::fit::{Estimator, FitError, Observation, fit};
 use super::setup::Setup;
 use super::simulate::grid;
+use super::weights::Weights;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
+use typed_index_collections::{TiSlice, TiVec};
 
 /// What is drawn, and how often.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +73,23 @@ impl Spread {
     }
 }
 
+/// Factors of a run's known functions at each of its samples.
+struct KnownFactors(Vec<Vec<f64>>);
+
+impl KnownFactors {
+    fn new(setup: &Setup, run: RunId, sweeps: &[f64]) -> Self {
+        let mut row = setup.row(run);
+        Self(sweeps.iter().map(|&sweep| row.at(sweep).1.to_vec()).collect())
+    }
+
+    /// Takes the known functions' part from the readings.
+    fn subtract(&self, readings: &mut [f64], known: &[Vec<f64>]) {
+        for ((reading, known), factors) in readings.iter_mut().zip(known).zip(&self.0) {
+            *reading -= factors.iter().zip(known).map(|(f, k)| f * k).sum::<f64>();
+        }
+    }
+}
+
 /// Points at which a function's error is looked at.
 const POINTS: usize = 1441;
 
@@ -81,30 +101,24 @@ pub fn monte_carlo(
     setup: &Setup,
     plan: Plan,
     estimator: Estimator,
-    function: usize,
+    function: FunctionId,
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Trial>, FitError> {
     let sweeps = grid(plan.samples, plan.range);
-    let runs: Vec<usize> = (0..setup.model.runs.len()).collect();
-    let exact: Vec<ExactReading> = runs.iter().map(|&r| setup.exact(r, &sweeps)).collect();
+    let runs = || setup.model.runs.keys();
+    let exact: TiVec<RunId, ExactReading> = runs().map(|r| setup.exact(r, &sweeps)).collect();
     // The estimate is linear in the readings: its matrix is worked out once, on readings of zero.
-    let observations: Vec<Observation> = runs.iter().map(|&run| Observation::zero(setup, run, &sweeps)).collect();
+    let observations: Vec<Observation> = runs().map(|run| Observation::zero(setup, run, &sweeps)).collect();
     let estimate = fit(setup, &observations, estimator)?;
-    let coefficients: Vec<usize> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
-    let operator: Vec<Vec<Vec<f64>>> =
+    let coefficients: Vec<BaseId> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
+    let operator: Vec<Weights> =
         coefficients.iter().map(|&b| estimate.coefficient_sensitivity(setup, &observations, b)).collect();
     let step = (plan.range.1 - plan.range.0) / (POINTS - 1) as f64;
     let points: Vec<(f64, Vec<f64>)> = (0..POINTS)
         .map(|i| plan.range.0 + step * i as f64)
         .map(|x| (x, setup.basis(function, x).into_iter().map(|(_, v)| v).collect()))
         .collect();
-    let factors: Vec<Vec<Vec<f64>>> = runs
-        .iter()
-        .map(|&run| {
-            let mut row = setup.row(run);
-            sweeps.iter().map(|&a| row.at(a).1.to_vec()).collect()
-        })
-        .collect();
+    let factors: TiVec<RunId, KnownFactors> = runs().map(|run| KnownFactors::new(setup, run, &sweeps)).collect();
     let error = setup.model.functions[function].error;
     // What is seen only together with other errors is compared with what is seen: the sum.
     let together = coefficients.iter().any(|&b| !setup.derivation.is_alone(b));
@@ -112,28 +126,22 @@ pub fn monte_carlo(
     let trial = |n: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(plan.seed);
         random.set_stream(n);
-        let machine = draw(setup, &exact, plan.limits, &mut random);
-        let apply = |data: &[Vec<f64>]| -> Vec<f64> {
-            let part = |(weights, y): (&Vec<f64>, &Vec<f64>)| weights.iter().zip(y).map(|(w, y)| w * y).sum::<f64>();
-            operator.iter().map(|runs| runs.iter().zip(data).map(part).sum()).collect()
-        };
-        let clean: Vec<Vec<f64>> = runs
-            .iter()
-            .map(|&run| {
+        let machine = draw(setup, &exact.raw, plan.limits, &mut random);
+        let apply = |readings: &[Vec<f64>]| -> Vec<f64> { operator.iter().map(|w| w.apply(readings)).collect() };
+        let clean: Vec<Vec<f64>> = runs()
+            .map(|run| {
                 let mut y: Vec<f64> = exact[run].values(&machine).collect();
-                for ((y, known), factors) in
-                    y.iter_mut().zip(setup.true_known(run, &exact[run], &machine)).zip(&factors[run])
-                {
-                    *y -= factors.iter().zip(known).map(|(f, k)| f * k).sum::<f64>();
-                }
+                factors[run].subtract(&mut y, &setup.true_known(run, &exact[run], &machine));
                 y
             })
             .collect();
         let width = plan.noise;
         let noise: Vec<Vec<f64>> =
-            runs.iter().map(|_| sweeps.iter().map(|_| random.random_range(-1.0..=1.0) * width).collect()).collect();
+            runs().map(|_| sweeps.iter().map(|_| random.random_range(-1.0..=1.0) * width).collect()).collect();
         let base = together.then(|| machine.base(setup));
-        let seen = |basis: &[f64], base: &[f64]| coefficients.iter().zip(basis).map(|(&b, v)| base[b] * v).sum::<f64>();
+        let seen = |basis: &[f64], base: &TiSlice<BaseId, f64>| {
+            coefficients.iter().zip(basis).map(|(&b, v)| base[b] * v).sum::<f64>()
+        };
         let (systematic, random_part) = (apply(&clean), apply(&noise));
         let mut worst = Trial { noise: 0.0, linearisation: 0.0, both: 0.0 };
         for (x, basis) in &points {

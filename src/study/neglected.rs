@@ -6,6 +6,7 @@ use trunnion_codegen::algebra::{Monomial, Order};
 use trunnion_codegen::emit::model::poly;
 use trunnion_codegen::graph::{Graph, Tape};
 use trunnion_codegen::identify::DeriveError;
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::measurement::reading;
 
 /// The neglected part of one run's reading.
@@ -35,7 +36,7 @@ pub(super) struct SecondOrder {
 
 impl SecondOrder {
     /// Derives a run at order 2.
-    pub fn new(setup: &Setup, run: usize) -> Result<Self, SetupError> {
+    pub fn new(setup: &Setup, run: RunId) -> Result<Self, SetupError> {
         let model = &setup.model;
         let algebra = |e| SetupError::Derive(DeriveError::Algebra(e));
         let order = Order::new(2).map_err(algebra)?;
@@ -82,7 +83,7 @@ pub(super) fn product_size(setup: &Setup, errors: &Monomial, limits: Limits) -> 
 ///
 /// # Errors
 /// [`SetupError`] where the exact arithmetic overflows.
-pub fn neglected(setup: &Setup, run: usize, sweeps: &[f64], limits: Limits) -> Result<Neglected, SetupError> {
+pub fn neglected(setup: &Setup, run: RunId, sweeps: &[f64], limits: Limits) -> Result<Neglected, SetupError> {
     let second = SecondOrder::new(setup, run)?;
     let sizes: Vec<f64> = second.products.iter().map(|errors| product_size(setup, errors, limits)).collect();
     let mut largest = vec![0.0f64; sizes.len()];

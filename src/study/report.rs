@@ -8,6 +8,7 @@ use super::systematic::{Term, systematic};
 use trunnion_codegen::algebra::{Nominal, Poly};
 use trunnion_codegen::basis::Basis;
 use trunnion_codegen::emit::equations;
+use trunnion_codegen::ids::{AxisId, BaseId, FunctionId};
 use trunnion_codegen::quantity::{Quantity, Unit};
 use trunnion_solver::lstsq::student_t_95;
 
@@ -147,8 +148,8 @@ pub fn report(
     limits: Limits,
     without_table: bool,
 ) -> Result<Report, SetupError> {
-    let name = |b: usize| setup.derivation.base[b].name.clone();
-    let coefficient = |(i, &b): (usize, &usize)| Coefficient {
+    let name = |b: BaseId| setup.derivation.base[b].name.clone();
+    let coefficient = |(i, &b): (usize, &BaseId)| Coefficient {
         name: name(b),
         value: fit.values[i],
         std: fit.covariance[(i, i)].max(0.0).sqrt(),
@@ -191,12 +192,12 @@ fn goes_round(observation: &Observation) -> bool {
     high - low >= 330f64.to_radians()
 }
 
-fn seen_together(setup: &Setup, fit: &Fit, function: usize) -> Option<Warning> {
-    let own = |b: &&usize| {
+fn seen_together(setup: &Setup, fit: &Fit, function: FunctionId) -> Option<Warning> {
+    let own = |b: &&BaseId| {
         let estimates = setup.derivation.base[**b].estimates;
-        estimates.is_some_and(|(f, _)| f == function) && !setup.derivation.is_alone(**b)
+        estimates.is_some_and(|c| c.function == function) && !setup.derivation.is_alone(**b)
     };
-    let sum = |&b: &usize| {
+    let sum = |&b: &BaseId| {
         let base = &setup.derivation.base[b];
         (base.name.clone(), equations::definition(&setup.model, &setup.derivation, base))
     };
@@ -212,7 +213,7 @@ fn curve(
     setup: &Setup,
     observations: &[Observation],
     fit: &Fit,
-    function: usize,
+    function: FunctionId,
     bounds: &[Vec<f64>],
     limits: Limits,
 ) -> Result<Option<Curve>, SetupError> {
@@ -236,8 +237,8 @@ fn curve(
         let (value, std) = fit.function(setup, function, coordinate_unit.to_inner(at));
         points.push(Point { at, value: unit.from_inner(value), u95: unit.from_inner(t * std) });
         let sensitivity = fit.sensitivity(setup, observations, function, coordinate_unit.to_inner(at));
-        let sum = |(w, b): (&Vec<f64>, &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
-        dropped = dropped.max(unit.from_inner(sensitivity.iter().zip(bounds).map(sum).sum::<f64>()));
+        let sum = |(w, b): (&[f64], &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
+        dropped = dropped.max(unit.from_inner(sensitivity.observations().zip(bounds).map(sum).sum::<f64>()));
     }
     let coordinates: Vec<f64> = points.iter().map(|p| coordinate_unit.to_inner(p.at)).collect();
     let left = systematic(setup, observations, fit, function, limits, &coordinates)?;
@@ -255,7 +256,7 @@ fn curve(
     }))
 }
 
-fn coordinates(setup: &Setup, observation: &Observation, axis: usize) -> Vec<f64> {
+fn coordinates(setup: &Setup, observation: &Observation, axis: AxisId) -> Vec<f64> {
     let sweeps: Vec<f64> = observation.samples.iter().map(|s| s.sweep).collect();
     setup.exact(observation.run, &sweeps).run().coordinates(axis).flatten().collect()
 }
@@ -263,7 +264,7 @@ fn coordinates(setup: &Setup, observation: &Observation, axis: usize) -> Vec<f64
 /// What leaving out the table costs: for each known function the largest error that one unit of it, of the worst shape, can
 /// cause in an estimated function.
 fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<Warning> {
-    let mut known: Vec<usize> =
+    let mut known: Vec<FunctionId> =
         observations.iter().flat_map(|o| setup.derivation.runs[o.run].known.iter().map(|(f, _)| *f)).collect();
     known.sort_unstable();
     known.dedup();
@@ -276,12 +277,12 @@ fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<
             let one = setup.quantity(k).deviation().to_inner(1.0);
             let largest = (0..=36).map(|i| first + (last - first) * f64::from(i) / 36.0).map(|x| {
                 let sensitivity = fit.sensitivity(setup, observations, function, x);
-                sensitivity.iter().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
+                sensitivity.observations().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
             });
             cost.push((setup.function_name(function), own, own.from_inner(largest.fold(0.0, f64::max) * one)));
         }
     }
-    let warning = |(&k, costs): (&usize, Vec<_>)| Warning::TakenAsZero {
+    let warning = |(&k, costs): (&FunctionId, Vec<_>)| Warning::TakenAsZero {
         known: trunnion_codegen::emit::model::known_name(&setup.model, k),
         unit: setup.quantity(k).deviation(),
         costs,
@@ -289,7 +290,7 @@ fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<
     known.iter().zip(costs).map(warning).collect()
 }
 
-fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: usize) -> f64 {
+fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: FunctionId) -> f64 {
     let Some(at) = setup.derivation.runs[observation.run].known.iter().position(|(f, _)| *f == known) else {
         return 0.0;
     };
@@ -298,14 +299,15 @@ fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: usize
 }
 
 /// Unit of a base parameter: the reading's mm over that of its regressor.
-pub fn coefficient_unit(setup: &Setup, base: usize) -> String {
+pub fn coefficient_unit(setup: &Setup, base: BaseId) -> String {
     let b = &setup.derivation.base[base];
-    if let Some((function, k)) = b.estimates {
+    if let Some(coefficient) = b.estimates {
+        let function = coefficient.function;
         let Some(axis) = setup.axis(function) else { return String::new() };
         let (value, per) = (setup.quantity(function).inner(), coordinate(axis).inner());
         return match &setup.model.functions[function].basis {
             Basis::Polynomials(p) => {
-                let degree = p.get(k).map_or(0, |u| u.0.len().saturating_sub(1));
+                let degree = p.get(usize::from(coefficient.term)).map_or(0, |u| u.0.len().saturating_sub(1));
                 format!("{value}/{per}^{degree}")
             }
             _ => value.to_string(),

@@ -3,9 +3,11 @@
 use trunnion_codegen::algebra::{Fraction, Poly};
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
-use trunnion_codegen::identify::{BaseParameter, Derivation, DeriveError, derive};
+use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, derive};
+use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId, TermId};
 use trunnion_codegen::model::{self, Axis, AxisKind, Model};
 use trunnion_codegen::quantity::Quantity;
+use typed_index_collections::TiVec;
 
 /// A model, its derivation, and the lengths of the set-up in mm.
 #[derive(Clone, Debug)]
@@ -16,7 +18,7 @@ pub struct Setup {
     pub derivation: Derivation,
     /// Values of the constants, in the order of the alphabet, mm.
     constants: Vec<f64>,
-    runs: Vec<Tape>,
+    runs: TiVec<RunId, Tape>,
 }
 
 /// Why a model cannot be put to work.
@@ -57,7 +59,7 @@ impl Setup {
         };
         let constants = model.alphabet.constants().map(value).collect::<Result<Vec<_>, _>>()?;
         let tape = |run| Ok(Tape::new(emit::model::run(&model, &derivation, run)?.program()));
-        let runs = (0..model.runs.len()).map(tape).collect::<Result<Vec<_>, Unbound>>()?;
+        let runs = model.runs.keys().map(tape).collect::<Result<TiVec<_, _>, Unbound>>()?;
         Ok(Self { model, derivation, constants, runs })
     }
 
@@ -66,13 +68,13 @@ impl Setup {
         self.model.alphabet.constants().zip(&self.constants).find(|(n, _)| *n == name).map_or(f64::NAN, |(_, v)| *v)
     }
 
-    /// Position of a run.
-    pub fn run(&self, name: &str) -> Option<usize> {
-        self.model.runs.iter().position(|r| r.name == name)
+    /// The run with a name.
+    pub fn run(&self, name: &str) -> Option<RunId> {
+        self.model.runs.position(|r| r.name == name)
     }
 
     /// Evaluates a run's row.
-    pub fn row(&self, run: usize) -> Row<'_> {
+    pub fn row(&self, run: RunId) -> Row<'_> {
         let inputs = self.constants.iter().copied().chain([0.0]).collect();
         Row {
             evaluator: self.runs[run].evaluator(),
@@ -82,20 +84,20 @@ impl Setup {
         }
     }
 
-    /// Positions of the estimated functions in [`Model::functions`].
-    pub fn estimated(&self) -> impl Iterator<Item = usize> {
-        self.model.functions.iter().enumerate().filter(|(_, f)| f.estimate).map(|(i, _)| i)
+    /// The estimated functions.
+    pub fn estimated(&self) -> impl Iterator<Item = FunctionId> {
+        self.model.functions.iter_enumerated().filter(|(_, f)| f.estimate).map(|(i, _)| i)
     }
 
     /// A function's basis at a coordinate, each value with the base parameter whose coefficient it is.
-    pub fn basis(&self, function: usize, x: f64) -> Vec<(usize, f64)> {
+    pub fn basis(&self, function: FunctionId, x: f64) -> Vec<(BaseId, f64)> {
         let values = self.model.functions[function].basis.values(x, &self.model.alphabet, &|n| self.constant(n));
-        let carries = |k: usize| self.derivation.base.iter().position(|b| b.estimates == Some((function, k)));
-        values.into_iter().enumerate().filter_map(|(k, v)| Some((carries(k)?, v))).collect()
+        let carries = |term| self.derivation.base.position(|b| b.estimates == Some(Coefficient { function, term }));
+        values.into_iter().enumerate().filter_map(|(k, v)| Some((carries(TermId::from(k))?, v))).collect()
     }
 
     /// Definitions of the base parameters with the constants' values put in: parameter and factor.
-    pub fn definitions(&self) -> Vec<Vec<(usize, f64)>> {
+    pub fn definitions(&self) -> TiVec<BaseId, Vec<(ParameterId, f64)>> {
         let number = |p: &Poly| model::at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
         let factor = |f: &Fraction| number(f.numerator()) / f.denominator().map_or(1.0, number);
         let definition = |b: &BaseParameter| b.definition.iter().map(|(j, f)| (*j, factor(f))).collect();
@@ -103,19 +105,19 @@ impl Setup {
     }
 
     /// Name of a function in reports: `eps_xa`.
-    pub fn function_name(&self, function: usize) -> String {
+    pub fn function_name(&self, function: FunctionId) -> String {
         self.model.notation.function(self.model.alphabet.error_name(self.model.functions[function].error))
     }
 
     /// What a function measures.
-    pub fn quantity(&self, function: usize) -> Quantity {
+    pub fn quantity(&self, function: FunctionId) -> Quantity {
         self.model.alphabet.error_quantity(self.model.functions[function].error)
     }
 
     /// The axis whose coordinate a function depends on.
-    pub fn axis(&self, function: usize) -> Option<&Axis> {
+    pub fn axis(&self, function: FunctionId) -> Option<&Axis> {
         let (axis, _) = self.model.axis_of(self.model.functions[function].error)?;
-        self.model.axes().nth(axis)
+        self.model.axis(axis)
     }
 }
 

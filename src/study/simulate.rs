@@ -3,6 +3,7 @@
 use super::draw::Machine;
 use super::fit::{Observation, Sample};
 use super::setup::Setup;
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
 
@@ -14,7 +15,7 @@ pub fn grid(samples: usize, range: (f64, f64)) -> Vec<f64> {
 impl Setup {
     /// A run and its instrument at the given values of its sweep, rad: what it reads comes from full 4×4 products, nothing
     /// linearised.
-    pub fn exact(&self, run: usize, sweeps: &[f64]) -> ExactReading {
+    pub fn exact(&self, run: RunId, sweeps: &[f64]) -> ExactReading {
         ExactReading::new(&self.model, &self.model.runs[run], sweeps, &|n| self.constant(n))
     }
 
@@ -22,7 +23,7 @@ impl Setup {
     /// each in turn, and the true values of its known functions.
     pub fn observe(
         &self,
-        run: usize,
+        run: RunId,
         exact: &ExactReading,
         sweeps: &[f64],
         machine: &Machine,
@@ -39,7 +40,7 @@ impl Setup {
     }
 
     /// True values of a run's known functions at its samples, mm or rad, in the order of its derivation.
-    pub fn true_known(&self, run: usize, exact: &ExactReading, machine: &Machine) -> Vec<Vec<f64>> {
+    pub fn true_known(&self, run: RunId, exact: &ExactReading, machine: &Machine) -> Vec<Vec<f64>> {
         let mut at_samples: Vec<Vec<f64>> = Vec::new();
         for (function, _) in &self.derivation.runs[run].known {
             let error = self.model.functions[*function].error;

@@ -10,10 +10,12 @@ use super::fit::{Fit, Observation};
 use super::neglected::{SecondOrder, product_name, product_size};
 use super::setup::{Setup, SetupError};
 use super::simulate::grid;
+use super::weights::Weights;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
 use trunnion_codegen::algebra::{ErrorId, Monomial};
+use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_codegen::measurement::ExactReading;
 
 /// Machines drawn: a root mean square over them is good to some 4 %.
@@ -47,7 +49,8 @@ pub struct Term {
 /// A product of two errors and how it moves the coefficients of the function.
 struct Product {
     errors: [ErrorId; 2],
-    functions: [usize; 2],
+    /// How many functions either is a combination of.
+    counts: [usize; 2],
     /// Per coefficient, per pair of functions.
     moves: Vec<f64>,
 }
@@ -56,7 +59,7 @@ impl Product {
     /// How it moves each coefficient on a machine.
     fn on<'a>(&'a self, machine: &'a Machine) -> impl Iterator<Item = f64> + 'a {
         let [first, second] = self.errors.map(|e| machine.factors(e));
-        let pairs = self.functions[0] * self.functions[1];
+        let pairs = self.counts[0] * self.counts[1];
         self.moves.chunks(pairs.max(1)).map(move |moves| {
             let factors = first.iter().flat_map(|a| second.iter().map(move |b| a * b));
             moves.iter().zip(factors).map(|(m, f)| m * f).sum()
@@ -72,13 +75,13 @@ pub fn systematic(
     setup: &Setup,
     observations: &[Observation],
     fit: &Fit,
-    function: usize,
+    function: FunctionId,
     limits: Limits,
     points: &[f64],
 ) -> Result<Systematic, SetupError> {
     let basis = |x: f64| -> Vec<f64> { setup.basis(function, x).into_iter().map(|(_, v)| v).collect() };
-    let coefficients: Vec<usize> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
-    let weights: Vec<Vec<Vec<f64>>> =
+    let coefficients: Vec<BaseId> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
+    let weights: Vec<Weights> =
         coefficients.iter().map(|&b| fit.coefficient_sensitivity(setup, observations, b)).collect();
     let seconds: Vec<SecondOrder> =
         observations.iter().map(|o| SecondOrder::new(setup, o.run)).collect::<Result<_, _>>()?;
@@ -118,19 +121,22 @@ fn pair(errors: &Monomial) -> Option<[ErrorId; 2]> {
     Some([both.next()?, both.next()?])
 }
 
+/// Each function an error is a combination of, at every sample of a run.
+type Along = Vec<Vec<f64>>;
+
 /// `Σ w·c·φᵢ·φⱼ` of every product, over all observations.
 fn products(
     setup: &Setup,
     observations: &[Observation],
     seconds: &[SecondOrder],
-    weights: &[Vec<Vec<f64>>],
+    weights: &[Weights],
 ) -> Vec<(Monomial, Product)> {
     let shapes: Vec<_> = setup.model.alphabet.errors().map(|(id, ..)| parts(setup, id)).collect();
     let mut products: BTreeMap<Monomial, Product> = BTreeMap::new();
     for (o, (observation, second)) in observations.iter().zip(seconds).enumerate() {
         let sweeps: Vec<f64> = observation.samples.iter().map(|s| s.sweep).collect();
         let exact = setup.exact(observation.run, &sweeps);
-        let along = |error: ErrorId| -> Vec<Vec<f64>> {
+        let along = |error: ErrorId| -> Along {
             let axis = setup.model.axis_of(error).map(|(axis, _)| axis);
             let at: Vec<f64> = match axis {
                 Some(axis) => exact.run().coordinates(axis).map(|x| x.unwrap_or(0.0)).collect(),
@@ -138,26 +144,26 @@ fn products(
             };
             shapes[error.index()].iter().map(|shape| at.iter().map(|x| shape.at(*x)).collect()).collect()
         };
-        let mut values: BTreeMap<ErrorId, Vec<Vec<f64>>> = BTreeMap::new();
+        let mut values: BTreeMap<ErrorId, Along> = BTreeMap::new();
         for errors in &second.products {
             let Some(both) = pair(errors) else { continue };
             for e in both {
                 values.entry(e).or_insert_with(|| along(e));
             }
-            let functions = both.map(|e| shapes[e.index()].len());
-            let moves = || vec![0.0; weights.len() * functions[0] * functions[1]];
-            products.entry(*errors).or_insert_with(|| Product { errors: both, functions, moves: moves() });
+            let counts = both.map(|e| shapes[e.index()].len());
+            let moves = || vec![0.0; weights.len() * counts[0] * counts[1]];
+            products.entry(*errors).or_insert_with(|| Product { errors: both, counts, moves: moves() });
         }
         // Taken out while this run adds to them: a look-up for every sample would cost more than the sums.
         let mut own: Vec<Option<Product>> = second.products.iter().map(|errors| products.remove(errors)).collect();
-        let along_of: Vec<[Option<&Vec<Vec<f64>>>; 2]> =
+        let along_of: Vec<[Option<&Along>; 2]> =
             own.iter().map(|p| p.as_ref().map_or([None; 2], |p| p.errors.map(|e| values.get(&e)))).collect();
         second.along(sweeps.iter().copied(), |sample, factors| {
             for ((product, pair), factor) in own.iter_mut().zip(&along_of).zip(factors).filter(|(_, f)| **f != 0.0) {
                 let (Some(product), [Some(first), Some(second)]) = (product, pair) else { continue };
                 let mut moves = product.moves.iter_mut();
                 for weight in weights {
-                    let scaled = weight[o][sample] * factor;
+                    let scaled = weight.0[o][sample] * factor;
                     for a in first.iter() {
                         for (b, m) in second.iter().zip(&mut moves) {
                             *m += scaled * a[sample] * b[sample];
@@ -176,7 +182,7 @@ fn bounds(
     setup: &Setup,
     observations: &[Observation],
     seconds: &[SecondOrder],
-    weights: &[Vec<Vec<f64>>],
+    weights: &[Weights],
     here: &[f64],
     limits: Limits,
 ) -> BTreeMap<Monomial, f64> {
@@ -187,7 +193,7 @@ fn bounds(
         let moving: Vec<bool> = second.products.iter().map(moving).collect();
         let mut own = vec![0.0; moving.len()];
         second.along(observation.samples.iter().map(|s| s.sweep), |sample, factors| {
-            let weight: f64 = weights.iter().zip(here).map(|(w, b)| w[o][sample] * b).sum();
+            let weight: f64 = weights.iter().zip(here).map(|(w, b)| w.0[o][sample] * b).sum();
             for ((sum, factor), moving) in own.iter_mut().zip(factors).zip(&moving) {
                 let part = weight * factor;
                 *sum += if *moving { part.abs() } else { part };

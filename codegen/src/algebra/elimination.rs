@@ -1,19 +1,31 @@
 //! Exact Gauss–Jordan elimination over the field of [`Fraction`]s.
 
 use super::{AlgebraError, Alphabet, Fraction};
+use typed_index_collections::{TiSlice, TiVec};
+
+/// A row of a matrix, or a vector with an entry for each of its columns `C`.
+pub type Row<C> = TiVec<C, Fraction>;
 
 /// A matrix in reduced row echelon form with respect to a given order of its columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reduced {
+pub struct Reduced<C: From<usize>> {
     /// Pivot column and row, in the order the columns were offered; the row is 1 at its own pivot, 0 at the others'.
-    pub rows: Vec<(usize, Vec<Fraction>)>,
+    pub rows: Vec<(C, Row<C>)>,
 }
 
 /// Reduces `rows`; a column listed earlier in `order` is preferred as pivot, one not listed is never a pivot.
-pub fn reduce(mut rows: Vec<Vec<Fraction>>, order: &[usize], alphabet: &Alphabet) -> Result<Reduced, AlgebraError> {
-    let mut done: Vec<(usize, Vec<Fraction>)> = Vec::new();
-    for &column in order {
-        let sparsest = |row: &&Vec<Fraction>| row.iter().filter(|f| !f.is_zero()).count();
+pub fn reduce<C>(
+    mut rows: Vec<Row<C>>,
+    order: impl IntoIterator<Item = C>,
+    alphabet: &Alphabet,
+) -> Result<Reduced<C>, AlgebraError>
+where
+    C: Copy + PartialEq + From<usize>,
+    usize: From<C>,
+{
+    let mut done: Vec<(C, Row<C>)> = Vec::new();
+    for column in order {
+        let sparsest = |row: &&Row<C>| row.iter().filter(|f| !f.is_zero()).count();
         let candidates = rows.iter().enumerate().filter(|(_, row)| !row[column].is_zero());
         let Some(at) = candidates.min_by_key(|(_, row)| sparsest(row)).map(|(i, _)| i) else { continue };
         let mut pivot = rows.swap_remove(at);
@@ -30,15 +42,19 @@ pub fn reduce(mut rows: Vec<Vec<Fraction>>, order: &[usize], alphabet: &Alphabet
 }
 
 /// Takes `row[column]` times `pivot` from `row` and returns that factor; `pivot[column]` is 1.
-pub fn subtract(
-    row: &mut [Fraction],
-    pivot: &[Fraction],
-    column: usize,
+pub fn subtract<C>(
+    row: &mut TiSlice<C, Fraction>,
+    pivot: &TiSlice<C, Fraction>,
+    column: C,
     alphabet: &Alphabet,
-) -> Result<Fraction, AlgebraError> {
+) -> Result<Fraction, AlgebraError>
+where
+    C: Copy + PartialEq + From<usize>,
+    usize: From<C>,
+{
     let factor = core::mem::replace(&mut row[column], Fraction::zero());
     if !factor.is_zero() {
-        for (j, (r, p)) in row.iter_mut().zip(pivot).enumerate() {
+        for ((j, r), p) in row.iter_mut_enumerated().zip(pivot) {
             if j != column && !p.is_zero() {
                 *r = r.minus_product(&factor, p, alphabet)?;
             }
@@ -47,17 +63,23 @@ pub fn subtract(
     Ok(factor)
 }
 
-impl Reduced {
-    /// The kernel: for every free column in `columns` the vector that is 1 there and 0 at the other free ones.
-    pub fn kernel(&self, columns: impl Iterator<Item = usize>, width: usize) -> Vec<(usize, Vec<Fraction>)> {
-        let free = columns.filter(|c| self.rows.iter().all(|(pivot, _)| pivot != c));
+impl<C> Reduced<C>
+where
+    C: Copy + PartialEq + From<usize>,
+    usize: From<C>,
+{
+    /// The kernel of a matrix of `width` columns: for every free column the vector that is 1 there and 0 at the other free
+    /// ones.
+    pub fn kernel(&self, width: usize) -> Vec<Row<C>> {
+        let zeros: Row<C> = vec![Fraction::zero(); width].into();
+        let free = zeros.keys().filter(|c| self.rows.iter().all(|(pivot, _)| pivot != c));
         free.map(|f| {
-            let mut vector = vec![Fraction::zero(); width];
+            let mut vector = zeros.clone();
             vector[f] = Fraction::one();
             for (pivot, row) in &self.rows {
                 vector[*pivot] = row[f].negated();
             }
-            (f, vector)
+            vector
         })
         .collect()
     }
@@ -74,14 +96,15 @@ mod tests {
         let r = Poly::nominal(alphabet.constant("R").unwrap());
         let whole = |p: &Poly| Fraction::whole(p.clone());
         let (zero, one) = (Fraction::zero(), Fraction::one());
-        let matrix = vec![vec![whole(&r), one.clone(), zero.clone()], vec![whole(&r), one.clone(), whole(&r)]];
-        let reduced = reduce(matrix.clone(), &[1, 2, 0], &alphabet).unwrap();
+        let matrix: [Row<usize>; 2] = [[whole(&r), one.clone(), zero.clone()], [whole(&r), one.clone(), whole(&r)]]
+            .map(|row| row.to_vec().into());
+        let reduced = reduce(matrix.to_vec(), [1, 2, 0], &alphabet).unwrap();
         assert_eq!(reduced.rows.iter().map(|r| r.0).collect::<Vec<_>>(), [1, 2]);
-        let kernel = reduced.kernel(0..3, 3);
-        assert_eq!(kernel, [(0, vec![one, whole(&r.negated()), zero.clone()])]);
+        let kernel = reduced.kernel(3);
+        assert_eq!(kernel, [Row::from(vec![one, whole(&r.negated()), zero.clone()])]);
         for row in &matrix {
             let step = |sum: Fraction, (a, b): (&Fraction, &Fraction)| sum.minus_product(a, b, &alphabet).unwrap();
-            assert_eq!(row.iter().zip(&kernel[0].1).fold(zero.clone(), step), zero);
+            assert_eq!(row.iter().zip(&kernel[0]).fold(zero.clone(), step), zero);
         }
     }
 }

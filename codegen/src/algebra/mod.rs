@@ -14,7 +14,7 @@ mod rational;
 
 pub use crate::quantity::Quantity;
 pub use alphabet::{Alphabet, ErrorId, Nominal, NominalId, SweepId};
-pub use elimination::{Reduced, reduce, subtract};
+pub use elimination::{Reduced, Row, reduce, subtract};
 pub use fraction::Fraction;
 pub use matrix::{Transform, Vector};
 pub(crate) use matrix::{difference, dot};

@@ -1,7 +1,7 @@
 //! All polynomials up to a degree that satisfy linear conditions, exactly: eq. (10) from its conditions.
 
 use super::Univariate;
-use crate::algebra::{AlgebraError, Alphabet, Fraction, Order, Poly, Rational, reduce};
+use crate::algebra::{AlgebraError, Alphabet, Fraction, Order, Poly, Rational, Row, reduce};
 
 /// A homogeneous linear condition `Σ factor · f⁽ⁿ⁾(point) = 0`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,12 +44,11 @@ pub fn satisfying(degree: u8, conditions: &[Condition], alphabet: &Alphabet) -> 
     let mut rows = Vec::new();
     for condition in &rest {
         let apply = |f: &Univariate| Ok(Fraction::whole(value(condition, f)?.normal(alphabet)?));
-        rows.push(candidates.iter().map(apply).collect::<Result<Vec<_>, AlgebraError>>()?);
+        rows.push(candidates.iter().map(apply).collect::<Result<Row<usize>, AlgebraError>>()?);
     }
-    let order: Vec<usize> = (0..unknowns).collect();
-    let kernel = reduce(rows, &order, alphabet)?.kernel(0..unknowns, unknowns);
+    let kernel = reduce(rows, 0..unknowns, alphabet)?.kernel(unknowns);
     let mut basis = Vec::new();
-    for (_, g) in kernel.iter().rev() {
+    for g in kernel.iter().rev() {
         let mut f = Univariate(Vec::new());
         for (coefficient, candidate) in g.iter().zip(&candidates) {
             let coefficient = coefficient.as_poly().ok_or(NoBasis::NotPolynomial)?;
@@ -81,11 +80,10 @@ fn split_zeros(conditions: &[Condition], alphabet: &Alphabet) -> Result<(Vec<Pol
                 *entry = entry.plus(factor)?;
             }
         }
-        rows.push(row.into_iter().map(|p| p.normal(alphabet).map(Fraction::whole)).collect::<Result<_, _>>()?);
+        rows.push(row.iter().map(|p| p.normal(alphabet).map(Fraction::whole)).collect::<Result<Row<usize>, _>>()?);
     }
-    let order: Vec<usize> = (0..functionals.len()).collect();
     let (mut zeros, mut rest) = (Vec::new(), Vec::new());
-    for (pivot, row) in reduce(rows, &order, alphabet)?.rows {
+    for (pivot, row) in reduce(rows, 0..functionals.len(), alphabet)?.rows {
         let single = row.iter().filter(|f| !f.is_zero()).count() == 1;
         if single && functionals[pivot].0 == 0 {
             zeros.push(functionals[pivot].1.clone());

@@ -6,13 +6,14 @@ use crate::algebra::{Alphabet, Fraction, Nominal, Poly, SweepId};
 use crate::basis::Basis;
 use crate::graph::{Graph, Id, Unbound};
 use crate::identify::{Derivation, DerivedRun};
+use crate::ids::{FunctionId, RunId};
 use crate::model::Model;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 /// What one run's samples become: inputs are the constants and the sweep, outputs the regressors in the order of
 /// [`crate::identify::DerivedRun::regressors`], then the coefficients of the known functions.
-pub fn run(model: &Model, derivation: &Derivation, run: usize) -> Result<Function, Unbound> {
+pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Function, Unbound> {
     let derived = &derivation.runs[run];
     let sweep = model.runs[run].sweep;
     let mut graph = Graph::new();
@@ -34,11 +35,11 @@ pub fn run(model: &Model, derivation: &Derivation, run: usize) -> Result<Functio
 }
 
 /// The basis of an estimated function at a coordinate (mm or rad); `None` if it has none.
-pub fn basis(model: &Model, position: usize) -> Option<Result<Function, Unbound>> {
-    let f = &model.functions[position];
+pub fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unbound>> {
+    let f = &model.functions[function];
     let name = model.alphabet.error_name(f.error);
     let (axis, _) = model.axis_of(f.error)?;
-    let coordinate = model.axes().nth(axis)?.name.to_lowercase();
+    let coordinate = model.axis(axis)?.name.to_lowercase();
     let mut graph = Graph::new();
     let x = graph.symbol(&coordinate);
     let values: Vec<Id> = match &f.basis {
@@ -73,8 +74,8 @@ pub fn basis(model: &Model, position: usize) -> Option<Result<Function, Unbound>
 
 /// All functions of a model: the runs', then the estimated functions' bases.
 pub fn functions(model: &Model, derivation: &Derivation) -> Result<Vec<Function>, Unbound> {
-    let runs = (0..derivation.runs.len()).map(|i| run(model, derivation, i));
-    let estimated = (0..model.functions.len()).filter(|i| model.functions[*i].estimate).filter_map(|i| basis(model, i));
+    let runs = derivation.runs.keys().map(|id| run(model, derivation, id));
+    let estimated = model.functions.keys().filter(|id| model.functions[*id].estimate).filter_map(|id| basis(model, id));
     runs.chain(estimated).collect()
 }
 
@@ -90,7 +91,7 @@ pub fn rust_items(model: &Model, derivation: &Derivation, num_traits: &TokenStre
     let runs = derivation.runs.iter().map(|r| {
         let constant = Ident::new(&positions_name(&r.name), Span::call_site());
         let doc = format!(" Positions in `NAMES` of the base parameters that run `{}` sees.", r.name);
-        let seen = r.regressors.iter().map(|(b, _)| Literal::usize_unsuffixed(*b));
+        let seen = r.regressors.iter().map(|(b, _)| Literal::usize_unsuffixed((*b).into()));
         let n = Literal::usize_unsuffixed(r.regressors.len());
         quote!(#[doc = #doc] pub const #constant: [usize; #n] = [#(#seen),*];)
     });
@@ -134,8 +135,8 @@ fn seen(run: &DerivedRun) -> String {
 }
 
 /// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`.
-pub fn known_name(model: &Model, position: usize) -> String {
-    model.alphabet.error_name(model.functions[position].error).replace('_', "")
+pub fn known_name(model: &Model, function: FunctionId) -> String {
+    model.alphabet.error_name(model.functions[function].error).replace('_', "")
 }
 
 fn inputs(model: &Model, last: &str) -> Vec<String> {

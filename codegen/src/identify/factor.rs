@@ -4,25 +4,29 @@
 //! is taken out first; the reduced rows of the rest are the definitions of new base parameters, and a base parameter's
 //! regressor is its pivot's own column of that rest.
 
-use super::columns::{Columns, Origin};
+use super::columns::{Columns, Origin, Parameter};
 use super::{BaseParameter, Derivation, DeriveError, DerivedRun};
-use crate::algebra::{AlgebraError, Alphabet, Fraction, Monomial, Poly, integer, reduce, subtract};
+use crate::algebra::{AlgebraError, Alphabet, Fraction, Monomial, Poly, Row, integer, reduce, subtract};
+use crate::ids::{BaseId, ParameterId, RunId};
 use crate::model::Model;
+use typed_index_collections::{TiSlice, TiVec, ti_vec};
 
 /// A base parameter while its regressors are being found.
 struct Base {
-    pivot: usize,
-    run: usize,
-    definition: Vec<Fraction>,
-    /// Per run, once seen.
-    regressors: Vec<Fraction>,
+    pivot: ParameterId,
+    run: RunId,
+    definition: Row<ParameterId>,
+    regressors: TiVec<RunId, Fraction>,
 }
 
-pub(super) fn factor(model: &Model, readings: Vec<Poly>, columns: Columns) -> Result<Derivation, DeriveError> {
+/// A finished base parameter with its regressors.
+type Named = (BaseParameter, TiVec<RunId, Fraction>);
+
+pub(super) fn factor(model: &Model, readings: TiVec<RunId, Poly>, columns: Columns) -> Result<Derivation, DeriveError> {
     let alphabet = &model.alphabet;
-    let order: Vec<usize> = (0..columns.parameters.len()).collect();
+    let order = || columns.parameters.keys();
     let mut base: Vec<Base> = Vec::new();
-    for (run, raw) in columns.raw.iter().enumerate() {
+    for (run, raw) in columns.raw.iter_enumerated() {
         let (monomials, mut rows) = matrix(raw, alphabet)?;
         for b in &mut base {
             let mut factors = Vec::with_capacity(rows.len());
@@ -31,34 +35,37 @@ pub(super) fn factor(model: &Model, readings: Vec<Poly>, columns: Columns) -> Re
             }
             b.regressors.push(regressor(&monomials, factors.iter(), &raw[b.pivot], alphabet)?);
         }
-        for (pivot, definition) in reduce(rows.clone(), &order, alphabet)?.rows {
-            let mut regressors = vec![Fraction::zero(); run];
+        for (pivot, definition) in reduce(rows.clone(), order(), alphabet)?.rows {
+            let mut regressors = ti_vec![Fraction::zero(); run.into()];
             regressors.push(regressor(&monomials, rows.iter().map(|row| &row[pivot]), &raw[pivot], alphabet)?);
             base.push(Base { pivot, run, definition, regressors });
         }
     }
     let rows = base.iter().map(|b| b.definition.clone()).collect();
-    let kernel = reduce(rows, &order, alphabet)?.kernel(order.iter().copied(), order.len());
-    let base = name(model, &columns, base);
+    let kernel = reduce(rows, order(), alphabet)?.kernel(columns.parameters.len());
+    let base = name(model, &columns.parameters, base);
     Ok(Derivation {
         runs: runs(model, readings, &columns, &base),
         base: base.into_iter().map(|(b, _)| b).collect(),
         parameters: columns.parameters,
-        kernel: kernel.into_iter().map(|(_, vector)| sparse(vector)).collect(),
+        kernel: kernel.into_iter().map(sparse).collect(),
         unseen: columns.unseen,
     })
 }
 
 /// The rows of a run's matrix, with the trigonometric monomial each stands for.
-fn matrix(raw: &[Poly], alphabet: &Alphabet) -> Result<(Vec<Monomial>, Vec<Vec<Fraction>>), AlgebraError> {
+fn matrix(
+    raw: &TiSlice<ParameterId, Poly>,
+    alphabet: &Alphabet,
+) -> Result<(Vec<Monomial>, Vec<Row<ParameterId>>), AlgebraError> {
     let constants = |m: &Monomial, keep: bool| {
         let ids = alphabet.nominals().filter(|(id, _)| alphabet.is_constant(*id) != keep);
         ids.fold(*m, |m, (id, _)| m.with_exponent(id, 0))
     };
-    let mut rows: std::collections::BTreeMap<Monomial, Vec<Fraction>> = Default::default();
-    for (j, column) in raw.iter().enumerate() {
+    let mut rows: std::collections::BTreeMap<Monomial, Row<ParameterId>> = Default::default();
+    for (j, column) in raw.iter_enumerated() {
         for (monomial, entry) in column.normal(alphabet)?.group(|m| constants(m, false), |m| constants(m, true)) {
-            rows.entry(monomial).or_insert_with(|| vec![Fraction::zero(); raw.len()])[j] = Fraction::whole(entry);
+            rows.entry(monomial).or_insert_with(|| ti_vec![Fraction::zero(); raw.len()])[j] = Fraction::whole(entry);
         }
     }
     Ok(rows.into_iter().unzip())
@@ -81,12 +88,12 @@ fn regressor<'a>(
 }
 
 /// Names the base parameters and chooses their signs: a regressor's leading coefficient is positive where it is first seen.
-fn name(model: &Model, columns: &Columns, base: Vec<Base>) -> Vec<(BaseParameter, Vec<Fraction>)> {
+fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<Base>) -> TiVec<BaseId, Named> {
     let mut lumped = 0;
     let finish = |b: Base| {
-        let parameter = &columns.parameters[b.pivot];
+        let parameter = &parameters[b.pivot];
         let estimates = match parameter.origin {
-            Origin::Coefficient(f, k) if model.functions[f].estimate => Some((f, k)),
+            Origin::Coefficient(c) if model.functions[c.function].estimate => Some(c),
             _ => None,
         };
         let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| *c);
@@ -103,23 +110,23 @@ fn name(model: &Model, columns: &Columns, base: Vec<Base>) -> Vec<(BaseParameter
 
 fn runs(
     model: &Model,
-    readings: Vec<Poly>,
+    readings: TiVec<RunId, Poly>,
     columns: &Columns,
-    base: &[(BaseParameter, Vec<Fraction>)],
-) -> Vec<DerivedRun> {
-    let seen = |run: usize| {
-        let regressors = base.iter().enumerate().map(move |(i, (_, regressors))| (i, regressors[run].clone()));
+    base: &TiSlice<BaseId, Named>,
+) -> TiVec<RunId, DerivedRun> {
+    let seen = |run: RunId| {
+        let regressors = base.iter_enumerated().map(move |(b, (_, regressors))| (b, regressors[run].clone()));
         regressors.filter(|(_, r)| !r.is_zero()).collect()
     };
-    let run = |(i, reading): (usize, Poly)| DerivedRun {
+    let run = |(i, reading): (RunId, Poly)| DerivedRun {
         name: model.runs[i].name.clone(),
         reading,
         regressors: seen(i),
         known: columns.known[i].clone(),
     };
-    readings.into_iter().enumerate().map(run).collect()
+    readings.into_iter_enumerated().map(run).collect()
 }
 
-fn sparse(vector: Vec<Fraction>) -> Vec<(usize, Fraction)> {
-    vector.into_iter().enumerate().filter(|(_, f)| !f.is_zero()).collect()
+fn sparse(vector: Row<ParameterId>) -> Vec<(ParameterId, Fraction)> {
+    vector.into_iter_enumerated().filter(|(_, f)| !f.is_zero()).collect()
 }

@@ -1,16 +1,17 @@
 //! Confounded groups: parameters that the runs see only in combinations.
 
-use super::Derivation;
+use super::{BaseParameter, Derivation};
+use crate::ids::{BaseId, KernelId, ParameterId};
 
-/// Parameters that no fit of these runs tells apart; all positions are those of the [`Derivation`].
+/// Parameters that no fit of these runs tells apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
     /// The parameters, ascending.
-    pub parameters: Vec<usize>,
+    pub parameters: Vec<ParameterId>,
     /// The base parameters they appear in: the combinations that are seen.
-    pub base: Vec<usize>,
+    pub base: Vec<BaseId>,
     /// The directions of the kernel among them.
-    pub kernel: Vec<usize>,
+    pub kernel: Vec<KernelId>,
 }
 
 impl Derivation {
@@ -18,8 +19,8 @@ impl Derivation {
     /// determined.
     pub fn groups(&self) -> Vec<Group> {
         let mut groups: Vec<Group> = Vec::new();
-        for (i, vector) in self.kernel.iter().enumerate() {
-            let own: Vec<usize> = vector.iter().map(|(j, _)| *j).collect();
+        for (i, vector) in self.kernel.iter_enumerated() {
+            let own: Vec<ParameterId> = vector.iter().map(|(j, _)| *j).collect();
             let (touched, rest): (Vec<Group>, Vec<Group>) =
                 groups.into_iter().partition(|g| own.iter().any(|j| g.parameters.contains(j)));
             let mut group = Group { parameters: own, base: Vec::new(), kernel: vec![i] };
@@ -34,17 +35,17 @@ impl Derivation {
             group.parameters.sort_unstable();
             group.parameters.dedup();
             group.kernel.sort_unstable();
-            let sees = |(_, b): &(usize, &super::BaseParameter)| {
+            let sees = |(_, b): &(BaseId, &BaseParameter)| {
                 b.definition.iter().any(|(j, _)| group.parameters.binary_search(j).is_ok())
             };
-            group.base = self.base.iter().enumerate().filter(sees).map(|(i, _)| i).collect();
+            group.base = self.base.iter_enumerated().filter(sees).map(|(i, _)| i).collect();
         }
         groups.sort_by_key(|g| g.parameters.first().copied());
         groups
     }
 
     /// True where a base parameter is one physical parameter and nothing else.
-    pub fn is_alone(&self, base: usize) -> bool {
+    pub fn is_alone(&self, base: BaseId) -> bool {
         self.base.get(base).is_some_and(|b| b.definition.len() == 1)
     }
 }

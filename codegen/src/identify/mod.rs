@@ -7,24 +7,26 @@ mod columns;
 mod factor;
 mod groups;
 
-pub use columns::{Origin, Parameter};
+pub use columns::{Coefficient, Origin, Parameter};
 pub use groups::Group;
 
 use crate::algebra::{AlgebraError, ErrorId, Fraction, Order, Poly};
+use crate::ids::{BaseId, FunctionId, KernelId, ParameterId, RunId};
 use crate::measurement::{ReadingError, reading};
-use crate::model::Model;
+use crate::model::{Model, Text};
+use typed_index_collections::TiVec;
 
 /// The measurement model of a machine and its runs.
 #[derive(Clone, Debug)]
 pub struct Derivation {
     /// Physical parameters that appear in a run: location and set-up errors, coefficients of functions.
-    pub parameters: Vec<Parameter>,
+    pub parameters: TiVec<ParameterId, Parameter>,
     /// The lumped coefficients the runs determine.
-    pub base: Vec<BaseParameter>,
+    pub base: TiVec<BaseId, BaseParameter>,
     /// What each run reads.
-    pub runs: Vec<DerivedRun>,
+    pub runs: TiVec<RunId, DerivedRun>,
     /// Directions in parameter space that change no reading: one vector over `parameters` each.
-    pub kernel: Vec<Vec<(usize, Fraction)>>,
+    pub kernel: TiVec<KernelId, Vec<(ParameterId, Fraction)>>,
     /// Errors of the machine that no run sees at first order.
     pub unseen: Vec<ErrorId>,
 }
@@ -42,13 +44,13 @@ pub struct BaseParameter {
     /// `k1`, `k2`, …, or the coefficient's own name for an estimated function.
     pub name: String,
     /// The parameter that carries it.
-    pub pivot: usize,
+    pub pivot: ParameterId,
     /// What it is in physical parameters, in the declared order.
-    pub definition: Vec<(usize, Fraction)>,
-    /// Position in [`Model::functions`] and in its basis, for a function the runs are made to find.
-    pub estimates: Option<(usize, usize)>,
+    pub definition: Vec<(ParameterId, Fraction)>,
+    /// The coefficient it is, of a function the runs are made to find.
+    pub estimates: Option<Coefficient>,
     /// The first run that sees it.
-    pub run: usize,
+    pub run: RunId,
 }
 
 /// What one run reads.
@@ -59,20 +61,20 @@ pub struct DerivedRun {
     /// The linear reading in errors and functions, eq. (5), mm.
     pub reading: Poly,
     /// Base parameter and its regressor, eqs. (7) and (9), in the order of [`Derivation::base`].
-    pub regressors: Vec<(usize, Fraction)>,
-    /// Known functions (positions in [`Model::functions`]) with their coefficients.
-    pub known: Vec<(usize, Poly)>,
+    pub regressors: Vec<(BaseId, Fraction)>,
+    /// Known functions with their factors.
+    pub known: Vec<(FunctionId, Poly)>,
 }
 
 /// Why there is no measurement model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DeriveError {
-    /// A run has no reading: the run's position and why.
-    Reading(usize, ReadingError),
-    /// Motion errors that runs see and of which nothing is assumed: the run's position, the error, its coefficient.
-    NoBasis(Vec<(usize, ErrorId, Poly)>),
+    /// A run has no reading, and why.
+    Reading(RunId, ReadingError),
+    /// Motion errors that runs see and of which nothing is assumed, with their factors.
+    NoBasis(Vec<(RunId, ErrorId, Poly)>),
     /// An entry of [`Model::order`] that is no parameter of the runs.
-    UnknownParameter(usize),
+    UnknownParameter(Text),
     /// An exact computation failed.
     Algebra(AlgebraError),
 }
@@ -86,7 +88,7 @@ impl From<AlgebraError> for DeriveError {
 /// Derives the measurement model: every reading at first order, the bases put in, the base parameters.
 pub fn derive(model: &Model) -> Result<Derivation, DeriveError> {
     let read = |(i, run)| reading(model, run, Order::LINEAR).map_err(|e| DeriveError::Reading(i, e));
-    let readings = model.runs.iter().enumerate().map(read).collect::<Result<Vec<_>, _>>()?;
+    let readings = model.runs.iter_enumerated().map(read).collect::<Result<TiVec<_, _>, _>>()?;
     let columns = columns::columns(model, &readings)?;
     factor::factor(model, readings, columns)
 }

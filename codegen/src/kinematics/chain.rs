@@ -8,7 +8,7 @@ use crate::model::{Axis, AxisKind, Ball, Coordinate, Model, Run};
 
 /// The workpiece ball and the tool ball in machine coordinates, eqs. (3) and (8), mm.
 pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[Vector; 2], AlgebraError> {
-    let (workpiece, tool) = run.at.split_at(model.workpiece.len());
+    let (workpiece, tool) = run.at.raw.split_at(model.workpiece.len());
     Ok([
         position(&model.workpiece, workpiece, &run.workpiece_ball, &model.alphabet, order)?,
         position(&model.tool, tool, &run.tool_ball, &model.alphabet, order)?,

@@ -3,7 +3,9 @@
 //! What a simulated instrument reads comes from here, so that a fit is never tested against its own linear model.
 
 use crate::algebra::{ErrorId, Poly};
+use crate::ids::AxisId;
 use crate::model::{Axis, AxisKind, Ball, Model, Run, at};
+use typed_index_collections::TiVec;
 
 /// Values of the errors of one machine: mm and rad.
 pub trait ErrorValues {
@@ -30,10 +32,10 @@ struct NumericAxis {
     motion: [ErrorId; 6],
 }
 
-/// Nominal coordinates (workpiece side first, `None` at rest) and balls at one value of the sweep.
+/// Nominal coordinates (`None` at rest) and balls at one value of the sweep.
 #[derive(Clone, Debug)]
 struct Station {
-    coordinates: Vec<Option<f64>>,
+    coordinates: TiVec<AxisId, Option<f64>>,
     balls: [Point; 2],
 }
 
@@ -62,7 +64,7 @@ impl ExactRun {
     /// The workpiece ball and the tool ball at every sample.
     pub fn balls<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = [Point; 2]> + 'a {
         self.stations.iter().map(|station| {
-            let (workpiece, tool) = station.coordinates.split_at(self.sides[0].len());
+            let (workpiece, tool) = station.coordinates.raw.split_at(self.sides[0].len());
             let [w, t] = station.balls;
             [
                 position(&self.sides[0], workpiece, w, self.setups[0], errors),
@@ -71,8 +73,8 @@ impl ExactRun {
         })
     }
 
-    /// Nominal coordinate of an axis (in the order of [`Model::axes`]) at every sample; `None` at rest.
-    pub fn coordinates(&self, axis: usize) -> impl Iterator<Item = Option<f64>> {
+    /// Nominal coordinate of an axis at every sample; `None` at rest.
+    pub fn coordinates(&self, axis: AxisId) -> impl Iterator<Item = Option<f64>> {
         self.stations.iter().map(move |s| s.coordinates[axis])
     }
 }

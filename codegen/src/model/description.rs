@@ -8,6 +8,8 @@ use super::evaluate::Angle;
 use super::expression::Span;
 use crate::algebra::{Alphabet, ErrorId, NominalId, Poly, SweepId, Vector};
 use crate::basis::Basis;
+use crate::ids::{AxisId, FunctionId, RunId};
+use typed_index_collections::TiVec;
 
 /// A machine, the runs that measure it, and what is assumed of its errors.
 #[derive(Clone, Debug)]
@@ -25,30 +27,35 @@ pub struct Model {
     /// Axes between the machine's base and the tool, from the base outwards.
     pub tool: Vec<Axis>,
     /// The runs in the order of their elimination.
-    pub runs: Vec<Run>,
+    pub runs: TiVec<RunId, Run>,
     /// What is assumed of every motion error: errors without an entry must not appear in a reading.
-    pub functions: Vec<Function>,
+    pub functions: TiVec<FunctionId, Function>,
     /// Parameters to be used as pivots first, in this order.
     pub order: Vec<Text>,
 }
 
 impl Model {
-    /// The axes, workpiece side first: the order of [`Run::at`].
+    /// The axes, workpiece side first.
     pub fn axes(&self) -> impl Iterator<Item = &Axis> {
         self.workpiece.iter().chain(&self.tool)
     }
 
+    /// An axis, if the machine has it.
+    pub fn axis(&self, id: AxisId) -> Option<&Axis> {
+        self.axes().nth(id.into())
+    }
+
     /// The axis of a motion error and which of its six it is.
-    pub fn axis_of(&self, error: ErrorId) -> Option<(usize, Component)> {
+    pub fn axis_of(&self, error: ErrorId) -> Option<(AxisId, Component)> {
         self.axes().enumerate().find_map(|(i, axis)| {
             let at = axis.motion.iter().position(|&e| e == error)?;
-            Some((i, Component::ALL[at]))
+            Some((AxisId::from(i), Component::ALL[at]))
         })
     }
 
     /// The assumption about a motion error.
-    pub fn function(&self, error: ErrorId) -> Option<&Function> {
-        self.functions.iter().find(|f| f.error == error)
+    pub fn function(&self, error: ErrorId) -> Option<(FunctionId, &Function)> {
+        self.functions.iter_enumerated().find(|(_, f)| f.error == error)
     }
 }
 
@@ -143,8 +150,8 @@ pub struct Run {
     pub name: String,
     /// The path's parameter.
     pub sweep: SweepId,
-    /// Coordinate of every axis, in the order of [`Model::axes`].
-    pub at: Vec<Coordinate>,
+    /// Coordinate of every axis.
+    pub at: TiVec<AxisId, Coordinate>,
     /// The ball on the workpiece side.
     pub workpiece_ball: Ball,
     /// The ball on the tool side.

@@ -8,6 +8,8 @@ use super::notation::location_error;
 use super::{Notation, Problem, ProblemKind, conditions, iso_location, iso_motion, reference};
 use crate::algebra::{AlgebraError, Alphabet, ErrorId, NominalId, Order, Poly, Quantity, SweepId, Vector, dot};
 use crate::basis::{Basis, satisfying};
+use crate::ids::{AxisId, FunctionId, RunId};
+use typed_index_collections::TiVec;
 
 pub(super) fn resolve(draft: &Draft) -> Result<Model, Vec<Problem>> {
     let mut resolver = Resolver { alphabet: Alphabet::default(), iso: Vec::new(), problems: Vec::new() };
@@ -68,7 +70,8 @@ impl Resolver {
         }
         let axes: Vec<&Axis> = workpiece.iter().chain(&tool).collect();
         let known: Vec<&Axis> = axes.iter().copied().chain(&unplaced).collect();
-        let runs: Vec<Run> = draft.runs.iter().filter_map(|run| self.run(run, &axes, draft)).flatten().collect();
+        let runs: TiVec<RunId, Run> =
+            draft.runs.iter().filter_map(|run| self.run(run, &axes, draft)).flatten().collect();
         if draft.runs.is_empty() {
             self.problem::<()>(&draft.name.span, ProblemKind::NoRuns);
         }
@@ -76,11 +79,12 @@ impl Resolver {
             // Generated source names constants and functions after runs, in either case.
             let same = |other: &str| item(other) == item(&run.name);
             let errors: Vec<&str> = self.alphabet.errors().map(|(_, name, _)| name).collect();
-            if runs[..i].iter().any(|r| same(&r.name)) || errors.into_iter().any(same) || same("names") {
+            if runs.iter().take(i).any(|r| same(&r.name)) || errors.into_iter().any(same) || same("names") {
                 self.problem::<()>(&run.places[0], ProblemKind::Taken(run.name.clone()));
             }
         }
-        let mut functions: Vec<Function> = draft.functions.iter().filter_map(|f| self.function(f, &known)).collect();
+        let mut functions: TiVec<FunctionId, Function> =
+            draft.functions.iter().filter_map(|f| self.function(f, &known)).collect();
         for (i, f) in draft.functions.iter().enumerate() {
             let same = |g: &DraftFunction| {
                 self.error(&g.error.value).is_some() && self.error(&g.error.value) == self.error(&f.error.value)
@@ -252,7 +256,7 @@ impl Resolver {
                 self.problem::<()>(&name.span, ProblemKind::Taken(name.value.clone()));
             }
         }
-        let at: Vec<Coordinate> = axes.iter().filter_map(|axis| self.coordinate(run, axis, sweep)).collect();
+        let at: TiVec<AxisId, Coordinate> = axes.iter().filter_map(|axis| self.coordinate(run, axis, sweep)).collect();
         let workpiece_ball = self.ball(&run.workpiece_ball, run, sweep);
         let tool_ball = self.ball(&run.tool_ball, run, sweep);
         let readings = self.readings(run, sweep);

@@ -51,12 +51,8 @@ pub fn of_derivation(model: &Model, error: &DeriveError) -> Vec<Problem> {
             }
             problems
         }
-        DeriveError::UnknownParameter(at) => {
-            let unknown = |text: &crate::model::Text| Problem {
-                span: text.span.clone(),
-                kind: ProblemKind::UnknownParameter(text.value.clone()),
-            };
-            model.order.get(*at).map(unknown).into_iter().collect()
+        DeriveError::UnknownParameter(text) => {
+            vec![Problem { span: text.span.clone(), kind: ProblemKind::UnknownParameter(text.value.clone()) }]
         }
         DeriveError::Algebra(e) => vec![Problem { span: 0..0, kind: ProblemKind::Derivation(*e) }],
     }

@@ -29,8 +29,8 @@ fn derivative(reading: &ExactReading, error: ErrorId) -> Vec<f64> {
 fn linear_readings_are_the_derivatives_of_the_exact_ones() {
     for (name, _) in MODELS {
         let (model, derivation) = derived(name);
-        for (i, run) in model.runs.iter().enumerate() {
-            let sweeps = uniform(i as u64 + 1, -3.2, 3.2, 25);
+        for (i, run) in model.runs.iter_enumerated() {
+            let sweeps = uniform(usize::from(i) as u64 + 1, -3.2, 3.2, 25);
             let exact = ExactReading::new(&model, run, &sweeps, &millimetres);
             let linear = derivation.runs[i].reading.by_errors();
             for (error, symbol, _) in model.alphabet.errors() {

@@ -7,6 +7,7 @@ use std::process::Command;
 use trunnion_codegen::algebra::{Fraction, Poly};
 use trunnion_codegen::emit::{c, c99, model};
 use trunnion_codegen::identify::Derivation;
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::{Model, nominal_value};
 
 /// One with known functions, one with √2, one with quotients of sums, one with displacements.
@@ -14,12 +15,12 @@ const MODELS: [&str; 5] =
     ["tilting-table-a", "nutating-table", "ac-head", "rotary-table-c-rtest", "tilting-table-a-dyz"];
 const SAMPLES: usize = 40;
 
-fn sweeps(run: usize) -> Vec<f64> {
-    uniform(run as u64 + 1, -3.2, 3.2, SAMPLES)
+fn sweeps(run: RunId) -> Vec<f64> {
+    uniform(usize::from(run) as u64 + 1, -3.2, 3.2, SAMPLES)
 }
 
 /// What a run's function must return at one value of the sweep, each with the size of the terms that are added up.
-fn expected(model: &Model, derivation: &Derivation, run: usize, sweep: f64) -> Vec<[f64; 2]> {
+fn expected(model: &Model, derivation: &Derivation, run: RunId, sweep: f64) -> Vec<[f64; 2]> {
     let nominal = |id| nominal_value(id, &model.alphabet, sweep, millimetres);
     let value = |p: &Poly| p.evaluate(nominal, |_| 0.0);
     let size = |p: &Poly| {
@@ -38,7 +39,7 @@ fn expected(model: &Model, derivation: &Derivation, run: usize, sweep: f64) -> V
 /// Compares rows of output, run after run, sample after sample.
 fn compare(name: &str, model: &Model, derivation: &Derivation, printed: &str, what: &str) {
     let mut lines = printed.lines();
-    for run in 0..model.runs.len() {
+    for run in model.runs.keys() {
         for sweep in sweeps(run) {
             let row: Vec<f64> = lines.next().unwrap().split_whitespace().map(|v| v.parse().unwrap()).collect();
             let expected = expected(model, derivation, run, sweep);
@@ -75,7 +76,7 @@ fn c99_of_whole_models() {
         source += "static void show(const double *o, int n)\n{\n    int i;\n";
         source += "    for (i = 0; i < n; i++) printf(\"%.17g \", o[i]);\n}\n";
         source += "int main(void)\n{\n    int i;\n    double o[200];\n    double k[200];\n    (void)k;\n";
-        for (i, run) in derivation.runs.iter().enumerate() {
+        for (i, run) in derivation.runs.iter_enumerated() {
             writeln!(source, "    {{\n        const double x[{SAMPLES}] = {{{}}};", literals(&sweeps(i))).unwrap();
             let constants: String = model.alphabet.constants().map(|c| format!("{:?}, ", millimetres(c))).collect();
             let known = if run.known.is_empty() { "" } else { ", k" };
@@ -116,7 +117,7 @@ fn numpy_of_whole_models() {
         let mut source = model::numpy_source(&model, &derivation).unwrap();
         source += "\n\ndef show(*results):\n    for row in np.vstack(results).T:\n";
         source += "        print(*[repr(float(value)) for value in row])\n\n\n";
-        for (i, run) in derivation.runs.iter().enumerate() {
+        for (i, run) in derivation.runs.iter_enumerated() {
             let constants: String = model.alphabet.constants().map(|c| format!("{:?}, ", millimetres(c))).collect();
             let call = format!("{}({constants}np.array([{}]))", item(&run.name), literals(&sweeps(i)));
             let star = if run.known.is_empty() { "" } else { "*" };

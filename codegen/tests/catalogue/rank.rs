@@ -21,9 +21,9 @@ fn exact_ranks_are_the_numerical_ones() {
         let (model, derivation) = derived(name);
         let alphabet = &model.alphabet;
         let mut rows: Vec<Vec<f64>> = Vec::new();
-        for (i, run) in model.runs.iter().enumerate() {
+        for (i, run) in model.runs.iter_enumerated() {
             let linear = derivation.runs[i].reading.by_errors();
-            for sweep in uniform(i as u64 + 1, -3.2, 3.2, 60) {
+            for sweep in uniform(usize::from(i) as u64 + 1, -3.2, 3.2, 60) {
                 let factor = |error| {
                     let coefficient = linear.iter().find(|(m, _)| m.errors().next() == Some(error));
                     let nominal = |id| nominal_value(id, alphabet, sweep, length);
@@ -31,12 +31,12 @@ fn exact_ranks_are_the_numerical_ones() {
                 };
                 let column = |origin: &Origin| match *origin {
                     Origin::Constant(error) => factor(error),
-                    Origin::Coefficient(f, k) => {
-                        let function = &model.functions[f];
+                    Origin::Coefficient(c) => {
+                        let function = &model.functions[c.function];
                         let (axis, _) = model.axis_of(function.error).unwrap();
                         let Some(coordinate) = run.at[axis].poly() else { return 0.0 };
                         let x = at(coordinate, alphabet, sweep, length);
-                        factor(function.error) * function.basis.values(x, alphabet, &length)[k]
+                        factor(function.error) * function.basis.values(x, alphabet, &length)[usize::from(c.term)]
                     }
                 };
                 rows.push(derivation.parameters.iter().map(|p| column(&p.origin)).collect());

@@ -3,11 +3,12 @@
 use super::{Found, Line, Outcome, Plan, combined};
 use serde_json::{Value, json};
 use trunnion::study::plan::Predicted;
+use trunnion_codegen::ids::{BaseId, ParameterId};
 
 /// The same as one object for a program.
 pub fn json(plan: &Plan, found: &Found) -> Value {
     let Found { model, derivation, lines, described, tried, added } = found;
-    let name = |j: &usize| derivation.parameters[*j].name.clone();
+    let name = |j: &ParameterId| derivation.parameters[*j].name.clone();
     let groups = derivation.groups();
     let groups = groups.iter().zip(described).map(|(g, words)| {
         json!({
@@ -49,7 +50,7 @@ fn object(line: &Line) -> Value {
     match &line.outcome {
         Outcome::Refused(why) => value["refused"] = json!(why),
         Outcome::Predicted { setup, prediction } => {
-            let name = |b: &usize| setup.derivation.base[*b].name.clone();
+            let name = |b: &BaseId| setup.derivation.base[*b].name.clone();
             let function = |f: &Predicted| {
                 let unit = setup.quantity(f.function).deviation();
                 json!({

@@ -14,6 +14,7 @@ use trunnion::study::{FitError, Setup};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
 use trunnion_codegen::identify::{Derivation, derive};
+use trunnion_codegen::ids::{BaseId, RunId};
 use trunnion_codegen::model::{Model, read_draft};
 
 /// Arguments of `plan`.
@@ -115,7 +116,8 @@ impl Plan {
         for &mm in &radii {
             let values = lengths(model, Radius::new(mm)?, &self.lengths)?;
             for without in &omitted {
-                let kept: Vec<usize> = (0..names.len()).filter(|&i| without.iter().all(|w| w != names[i])).collect();
+                let kept = model.runs.iter_enumerated().filter(|(_, run)| without.iter().all(|w| *w != run.name));
+                let kept: Vec<RunId> = kept.map(|(id, _)| id).collect();
                 let setup = self.setup(model, &kept, &values)?;
                 for &range in &ranges {
                     let outcome = match &setup {
@@ -130,7 +132,7 @@ impl Plan {
     }
 
     /// The model with some of its runs; why not, if these have no measurement model.
-    fn setup(&self, model: &Model, kept: &[usize], values: &[(String, f64)]) -> Result<Result<Setup, String>, Refused> {
+    fn setup(&self, model: &Model, kept: &[RunId], values: &[(String, f64)]) -> Result<Result<Setup, String>, Refused> {
         if kept.is_empty() {
             return Ok(Err("no run is left".to_owned()));
         }
@@ -143,11 +145,11 @@ impl Plan {
     }
 
     fn outcome(&self, setup: &Setup, range: (f64, f64)) -> Result<Outcome, Refused> {
-        let names = |base: &[usize]| -> String {
+        let names = |base: &[BaseId]| -> String {
             let names: Vec<&str> = base.iter().map(|&b| setup.derivation.base[b].name.as_str()).collect();
             names.join(", ")
         };
-        let name = |run: usize| setup.model.runs[run].name.clone();
+        let name = |run: RunId| setup.model.runs[run].name.clone();
         Ok(match predict(setup, self.measuring.over(range)?, self.measuring.estimator.into()) {
             Ok(prediction) => Outcome::Predicted { setup: Box::new(setup.clone()), prediction },
             Err(FitError::Confounded { base, .. }) => Outcome::Refused(format!("cannot tell {} apart", names(&base))),

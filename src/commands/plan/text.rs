@@ -6,6 +6,7 @@ use std::fmt::Write;
 use trunnion::study::WARN_CONDITION;
 use trunnion::study::plan::Addition;
 use trunnion_codegen::emit::equations;
+use trunnion_codegen::ids::BaseId;
 
 /// The comparison and what cannot be told apart, for reading at a terminal.
 pub fn text(plan: &Plan, found: &Found) -> String {
@@ -104,7 +105,7 @@ fn together<'a>(lines: impl Iterator<Item = &'a Line>) -> String {
     let mut said: Vec<&Vec<String>> = Vec::new();
     for line in lines {
         let Outcome::Predicted { setup, prediction } = &line.outcome else { continue };
-        let held: Vec<usize> = prediction.functions.iter().flat_map(|f| f.together.iter().copied()).collect();
+        let held: Vec<BaseId> = prediction.functions.iter().flat_map(|f| f.together.iter().copied()).collect();
         if held.is_empty() || said.contains(&&line.without) {
             continue;
         }

@@ -6,10 +6,12 @@
 //! projection of the new kernel onto the old parameters, so what is separated is an exact statement for any lengths.
 
 use std::collections::BTreeSet;
-use trunnion_codegen::algebra::{Alphabet, Fraction, reduce, subtract};
+use trunnion_codegen::algebra::{Alphabet, Fraction, Row, reduce, subtract};
 use trunnion_codegen::basis::Basis;
 use trunnion_codegen::identify::{Derivation, Origin, derive};
+use trunnion_codegen::ids::{BaseId, FunctionId, KernelId, ParameterId};
 use trunnion_codegen::model::{Draft, DraftBall, DraftFunction, DraftRun, Model, Text, iso_motion, read_draft};
+use typed_index_collections::ti_vec;
 
 /// A run that tells more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,12 +23,12 @@ pub struct Addition {
     /// True where that takes the tool ball left in the spindle since the machine's last run: its set-up errors are then
     /// the same.
     pub ball_kept: bool,
-    /// Directions of the kernel (positions) that would change a reading.
-    pub separates: Vec<usize>,
+    /// Directions of the kernel that would change a reading.
+    pub separates: Vec<KernelId>,
     /// By how much the dimension of the kernel over the machine's own parameters falls.
     pub gain: usize,
-    /// Parameters (positions) that would be determined and are not.
-    pub determines: Vec<usize>,
+    /// Parameters that would be determined and are not.
+    pub determines: Vec<ParameterId>,
     /// Names of functions taken as known that the other model is made to find.
     pub finds: Vec<String>,
 }
@@ -136,18 +138,22 @@ fn unplaced(text: &Text) -> Text {
 /// ISO 230-1's name of a motion error.
 fn iso(model: &Model, error: trunnion_codegen::algebra::ErrorId) -> Option<String> {
     let (axis, component) = model.axis_of(error)?;
-    Some(iso_motion(component, &model.axes().nth(axis)?.name))
+    Some(iso_motion(component, &model.axis(axis)?.name))
 }
 
 /// Kernel directions that are gone, how many dimensions, and parameters that are determined now.
-fn gained(before: &Derivation, after: &Derivation, alphabet: &Alphabet) -> Option<(Vec<usize>, usize, Vec<usize>)> {
-    let width = before.parameters.len();
-    let place = |j: usize| {
+fn gained(
+    before: &Derivation,
+    after: &Derivation,
+    alphabet: &Alphabet,
+) -> Option<(Vec<KernelId>, usize, Vec<ParameterId>)> {
+    let zeros: Row<ParameterId> = ti_vec![Fraction::zero(); before.parameters.len()];
+    let place = |j: ParameterId| {
         let name = &after.parameters.get(j)?.name;
-        before.parameters.iter().position(|p| p.name == *name)
+        before.parameters.position(|p| p.name == *name)
     };
-    let project = |vector: &Vec<(usize, Fraction)>| {
-        let mut row = vec![Fraction::zero(); width];
+    let project = |vector: &Vec<(ParameterId, Fraction)>| {
+        let mut row = zeros.clone();
         for (j, factor) in vector {
             if let Some(slot) = place(*j).and_then(|at| row.get_mut(at)) {
                 *slot = factor.clone();
@@ -155,11 +161,11 @@ fn gained(before: &Derivation, after: &Derivation, alphabet: &Alphabet) -> Optio
         }
         row
     };
-    let order: Vec<usize> = (0..width).collect();
-    let left = reduce(after.kernel.iter().map(project).collect(), &order, alphabet).ok()?;
+    let order = before.parameters.keys();
+    let left = reduce(after.kernel.iter().map(project).collect(), order, alphabet).ok()?;
     let mut separates = Vec::new();
-    for (i, vector) in before.kernel.iter().enumerate() {
-        let mut row = vec![Fraction::zero(); width];
+    for (i, vector) in before.kernel.iter_enumerated() {
+        let mut row = zeros.clone();
         vector.iter().for_each(|(j, f)| row[*j] = f.clone());
         for (pivot, other) in &left.rows {
             subtract(&mut row, other, *pivot, alphabet).ok()?;
@@ -168,27 +174,27 @@ fn gained(before: &Derivation, after: &Derivation, alphabet: &Alphabet) -> Optio
             separates.push(i);
         }
     }
-    let open: BTreeSet<usize> = before.kernel.iter().flatten().map(|(j, _)| *j).collect();
-    let still = |j: &usize| left.rows.iter().any(|(_, row)| !row[*j].is_zero());
+    let open: BTreeSet<ParameterId> = before.kernel.iter().flatten().map(|(j, _)| *j).collect();
+    let still = |j: &ParameterId| left.rows.iter().any(|(_, row)| !row[*j].is_zero());
     let determines = open.into_iter().filter(|j| !still(j)).collect();
     Some((separates, before.kernel.len() - left.rows.len().min(before.kernel.len()), determines))
 }
 
 /// Functions that `model` takes as known and that this run of `other` helps to estimate.
 fn finds(model: &Model, other: &Model, derivation: &Derivation, run: &str) -> Vec<String> {
-    let sees = |(i, f): (usize, &trunnion_codegen::model::Function)| {
+    let sees = |(i, f): (FunctionId, &trunnion_codegen::model::Function)| {
         // Of a reading in three components each is a run: `low-x`.
         let own = |name: &str| name == run || name.strip_prefix(run).is_some_and(|rest| rest.starts_with('-'));
-        let holds = |b: &usize| {
+        let holds = |b: &BaseId| {
             let parameters = derivation.base.get(*b).map_or(&[][..], |b| &b.definition);
-            let of = |j: &usize| derivation.parameters.get(*j).map(|p| p.origin);
-            parameters.iter().any(|(j, _)| matches!(of(j), Some(Origin::Coefficient(g, _)) if g == i))
+            let of = |j: &ParameterId| derivation.parameters.get(*j).map(|p| p.origin);
+            parameters.iter().any(|(j, _)| matches!(of(j), Some(Origin::Coefficient(c)) if c.function == i))
         };
         let runs = derivation.runs.iter().filter(|r| own(&r.name));
         let seen = runs.flat_map(|r| r.regressors.iter()).any(|(b, _)| holds(b));
         (f.estimate && seen).then(|| iso(other, f.error)).flatten()
     };
-    let estimated: Vec<String> = other.functions.iter().enumerate().filter_map(sees).collect();
+    let estimated: Vec<String> = other.functions.iter_enumerated().filter_map(sees).collect();
     let known = model.functions.iter().filter(|f| f.basis == Basis::Known);
     let found = known.filter(|f| iso(model, f.error).is_some_and(|name| estimated.contains(&name)));
     found.map(|f| model.alphabet.error_name(f.error).to_owned()).collect()

@@ -4,6 +4,7 @@
 //! that of a fit of readings of zero with a known standard deviation.
 
 use crate::study::{Estimator, FitError, Observation, Setup, Variance, fit_with, grid};
+use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_solver::lstsq::student_t_95;
 
 /// Runs that are intended.
@@ -23,9 +24,9 @@ pub struct Prediction {
     /// Condition number of the design, columns scaled.
     pub condition: f64,
     /// Base parameters that are separated worst.
-    pub weakest: Vec<usize>,
+    pub weakest: Vec<BaseId>,
     /// Each base parameter with its standard deviation.
-    pub base: Vec<(usize, f64)>,
+    pub base: Vec<(BaseId, f64)>,
     /// The estimated functions.
     pub functions: Vec<Predicted>,
 }
@@ -33,12 +34,12 @@ pub struct Prediction {
 /// What they would give of one estimated function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Predicted {
-    /// Position in the model's functions.
-    pub function: usize,
+    /// The function.
+    pub function: FunctionId,
     /// Its uncertainty where that is largest; `None` if no run sees it.
     pub largest: Option<Largest>,
     /// Base parameters of its coefficients that hold other errors too: what is estimated is their sum.
-    pub together: Vec<usize>,
+    pub together: Vec<BaseId>,
 }
 
 /// The largest uncertainty over the range.
@@ -62,15 +63,15 @@ const POINTS: usize = 361;
 pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, FitError> {
     let sweeps = grid(intended.samples, intended.range);
     let zero = |run| Observation::zero(setup, run, &sweeps);
-    let observations: Vec<Observation> = (0..setup.model.runs.len()).map(zero).collect();
+    let observations: Vec<Observation> = setup.model.runs.keys().map(zero).collect();
     let fit = fit_with(setup, &observations, estimator, Variance::Known(intended.sigma))?;
     let t = student_t_95::<f64>(fit.degrees_of_freedom);
-    let function = |function: usize| {
+    let function = |function: FunctionId| {
         let points = points(setup, function, intended);
         let std = |x: &f64| (*x, fit.function(setup, function, *x).1);
         let largest = points.iter().map(std).max_by(|a, b| a.1.total_cmp(&b.1));
-        let own = |b: &usize| setup.derivation.base[*b].estimates.is_some_and(|(f, _)| f == function);
-        let coefficients: Vec<usize> = fit.base.iter().copied().filter(own).collect();
+        let own = |b: &BaseId| setup.derivation.base[*b].estimates.is_some_and(|c| c.function == function);
+        let coefficients: Vec<BaseId> = fit.base.iter().copied().filter(own).collect();
         let seen = !coefficients.is_empty();
         Predicted {
             function,
@@ -87,11 +88,11 @@ pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Resul
 }
 
 /// Where the runs take a function's coordinate.
-fn points(setup: &Setup, function: usize, intended: Intended) -> Vec<f64> {
+fn points(setup: &Setup, function: FunctionId, intended: Intended) -> Vec<f64> {
     let Some((axis, _)) = setup.model.axis_of(setup.model.functions[function].error) else { return Vec::new() };
     let sweeps = grid(POINTS, intended.range);
     let along = |run| setup.exact(run, &sweeps).run().coordinates(axis).flatten().collect::<Vec<_>>();
-    let at: Vec<f64> = (0..setup.model.runs.len()).flat_map(along).collect();
+    let at: Vec<f64> = setup.model.runs.keys().flat_map(along).collect();
     let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
     if low <= high { grid(POINTS, (low, high)).into_iter().chain([high]).collect() } else { Vec::new() }
 }

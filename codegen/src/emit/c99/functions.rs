@@ -5,6 +5,7 @@ use crate::emit::c::Real;
 use crate::emit::function::Function;
 use crate::graph::Unbound;
 use crate::identify::Derivation;
+use crate::ids::{BaseId, RunId};
 use crate::model::Model;
 
 /// What goes into the header, and what into the source.
@@ -30,13 +31,13 @@ impl Locals {
 
 pub(super) fn functions(model: &Model, derivation: &Derivation, real: Real, prefix: &str) -> Result<Printed, Unbound> {
     let mut printed = Printed::default();
-    for (at, run) in derivation.runs.iter().enumerate() {
+    for (at, run) in derivation.runs.iter_enumerated() {
         if !run.regressors.is_empty() {
             let function = model::run(model, derivation, at)?;
             push(&mut printed, model, derivation, at, function, real, prefix);
         }
     }
-    for at in (0..model.functions.len()).filter(|at| model.functions[*at].estimate) {
+    for at in model.functions.keys().filter(|at| model.functions[*at].estimate) {
         if let Some(basis) = model::basis(model, at) {
             value(&mut printed, derivation, basis?, real, prefix);
         }
@@ -54,7 +55,7 @@ fn push(
     printed: &mut Printed,
     model: &Model,
     derivation: &Derivation,
-    at: usize,
+    at: RunId,
     function: Function,
     real: Real,
     prefix: &str,
@@ -102,8 +103,8 @@ fn value(printed: &mut Printed, derivation: &Derivation, function: Function, rea
     let inputs = c::inputs(&function);
     let name = c::identifier(&function.name);
     let basis = c::identifier(&format!("basis_of_{name}"));
-    let position = |coefficient: &String| derivation.base.iter().position(|base| base.name == *coefficient);
-    let Some(places) = function.elements.iter().map(position).collect::<Option<Vec<usize>>>() else {
+    let position = |coefficient: &String| derivation.base.position(|base| base.name == *coefficient);
+    let Some(places) = function.elements.iter().map(position).collect::<Option<Vec<BaseId>>>() else {
         // Lumped with others, the function cannot be evaluated from what is estimated.
         return;
     };

@@ -4,6 +4,7 @@ use super::printer::{Printer, Style};
 use crate::algebra::{ErrorId, Fraction, Monomial, Poly, Rational};
 use crate::basis::{Basis, Univariate};
 use crate::identify::{BaseParameter, Derivation, DerivedRun, Group};
+use crate::ids::{BaseId, FunctionId, ParameterId, RunId};
 use crate::model::{Model, ReadingKind};
 
 /// `a`, `a and b`, `a, b and c`
@@ -49,7 +50,7 @@ impl<'a> Document<'a> {
     }
 
     /// The name of what a run reads: `ΔR` of a bar, `Δx` or `Δn` of a displacement.
-    pub fn label(&self, run: usize) -> String {
+    pub fn label(&self, run: RunId) -> String {
         let letter = match self.model.runs.get(run).map(|r| &r.reading) {
             Some(ReadingKind::Displacement(direction)) => {
                 let unit = |(at, letter): (usize, char)| {
@@ -98,7 +99,7 @@ impl<'a> Document<'a> {
     }
 
     /// A base parameter in physical ones.
-    pub fn definition(&self, definition: &[(usize, Fraction)]) -> String {
+    pub fn definition(&self, definition: &[(ParameterId, Fraction)]) -> String {
         self.printer
             .combination(definition.iter().map(|(j, f)| (f, self.printer.name(&self.derivation.parameters[*j].name))))
     }
@@ -110,8 +111,8 @@ impl<'a> Document<'a> {
 
     /// A confounded group in words: `o_ya and t_y1 only appear as t_y1 − o_ya (k6)`.
     pub fn group(&self, group: &Group) -> String {
-        let parameter = |j: &usize| self.printer.name(&self.derivation.parameters[*j].name);
-        let base = |b: &usize| self.printer.name(&self.derivation.base[*b].name);
+        let parameter = |j: &ParameterId| self.printer.name(&self.derivation.parameters[*j].name);
+        let base = |b: &BaseId| self.printer.name(&self.derivation.base[*b].name);
         let members = listed(group.parameters.iter().map(parameter).collect());
         match group.base.as_slice() {
             [] => format!("{members} do not appear"),
@@ -152,8 +153,8 @@ impl<'a> Document<'a> {
     }
 
     /// An error's function written out in its coefficients, eqs. (6) and (10), of the coordinate `x`; `None` if it is not one.
-    pub fn function(&self, position: usize, x: &str) -> Option<String> {
-        let f = &self.model.functions[position];
+    pub fn function(&self, id: FunctionId, x: &str) -> Option<String> {
+        let f = &self.model.functions[id];
         let prefix = self.model.alphabet.error_name(f.error);
         let names = f.basis.suffixes().into_iter().map(|s| self.printer.name(&format!("{prefix}{s}")));
         let term = |name: String, value: String, sum: bool| {
@@ -214,8 +215,8 @@ impl<'a> Document<'a> {
     }
 
     /// The coordinate's letter of an axis error: `a` for the axis A.
-    pub fn coordinate(&self, position: usize) -> String {
-        let axis = self.model.axis_of(self.model.functions[position].error);
-        axis.and_then(|(i, _)| self.model.axes().nth(i)).map_or_else(|| "x".to_owned(), |axis| axis.name.to_lowercase())
+    pub fn coordinate(&self, id: FunctionId) -> String {
+        let axis = self.model.axis_of(self.model.functions[id].error);
+        axis.and_then(|(id, _)| self.model.axis(id)).map_or_else(|| "x".to_owned(), |axis| axis.name.to_lowercase())
     }
 }

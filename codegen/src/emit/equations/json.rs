@@ -2,7 +2,9 @@
 
 use super::document::Document;
 use super::printer::Style;
+use crate::algebra::Fraction;
 use crate::identify::Derivation;
+use crate::ids::ParameterId;
 use crate::model::Model;
 use serde_json::{Map, Value, json};
 
@@ -11,13 +13,13 @@ pub fn json(model: &Model, derivation: &Derivation) -> Value {
     let d = Document::new(model, derivation, Style::Plain);
     let coefficients =
         derivation.base.iter().map(|b| json!({ "name": b.name, "definition": d.definition(&b.definition) }));
-    let functions = model.functions.iter().enumerate().map(|(i, f)| {
+    let functions = model.functions.iter_enumerated().map(|(i, f)| {
         let x = d.coordinate(i);
         let expression = d.function(i, &x).unwrap_or_else(|| "known".to_owned());
         json!({ "name": d.error(f.error), "coordinate": x, "expression": expression, "estimated": f.estimate })
     });
     let kernel = derivation.kernel.iter().map(|vector| {
-        let entry = |(j, f): &(usize, crate::algebra::Fraction)| {
+        let entry = |(j, f): &(ParameterId, Fraction)| {
             (derivation.parameters[*j].name.clone(), Value::from(d.printer.fraction(f)))
         };
         Value::Object(vector.iter().map(entry).collect::<Map<_, _>>())

@@ -3,6 +3,7 @@
 use super::document::Document;
 use super::printer::Style;
 use crate::identify::Derivation;
+use crate::ids::FunctionId;
 use crate::model::Model;
 use core::fmt::Write;
 
@@ -13,15 +14,15 @@ pub fn latex(model: &Model, derivation: &Derivation) -> String {
     let mut align = |lines: Vec<String>| {
         let _ = writeln!(out, "\\begin{{align}}\n{}\n\\end{{align}}", lines.join(" \\\\\n"));
     };
-    for (i, run) in derivation.runs.iter().enumerate() {
+    for (i, run) in derivation.runs.iter_enumerated() {
         let left = format!("{}_{{\\mathrm{{{}}}}}", d.label(i), run.name);
         align(vec![format!("{left} &= {}", d.reading(run)), format!("{left} &= {}", d.equation(run))]);
     }
-    let function = |(i, f): (usize, &crate::model::Function)| {
+    let function = |(i, f): (FunctionId, &crate::model::Function)| {
         let x = d.coordinate(i);
         Some(format!("{}({x}) &= {}", d.error(f.error), d.function(i, &x)?))
     };
-    align(model.functions.iter().enumerate().filter_map(function).collect());
+    align(model.functions.iter_enumerated().filter_map(function).collect());
     align(
         derivation
             .base

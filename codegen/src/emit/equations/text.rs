@@ -27,13 +27,13 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
             let _ = writeln!(out, "{name}: the angle of {} to {}", axis.name, r.axis);
         }
     }
-    for (i, run) in derivation.runs.iter().enumerate() {
+    for (i, run) in derivation.runs.iter_enumerated() {
         let label = d.label(i);
         let _ = write!(out, "\nRun {}: the linear reading\n  {label} = {}\n", run.name, d.reading(run));
         let _ = write!(out, "with its functions put in\n  {label} = {}\n", d.equation(run));
     }
     let _ = writeln!(out, "\nFunctions");
-    for (i, f) in model.functions.iter().enumerate() {
+    for (i, f) in model.functions.iter_enumerated() {
         let name = d.error(f.error);
         let x = d.coordinate(i);
         let _ = match d.function(i, &x) {
