@@ -13,7 +13,8 @@ fn reference(set: &str, file: &str) -> PathBuf {
 /// Degrees and µm.
 fn run(set: &str, file: &str) -> Vec<(f64, f64)> {
     let sweep = Sweep::read(&reference(set, file), "a", Radius::new(150.0).unwrap(), 11).unwrap();
-    let shown = |s: &trunnion::data::Sample| (Unit::Deg.from_inner(s.angle_rad), Unit::Um.from_inner(s.reading_mm));
+    let shown =
+        |s: &trunnion::data::SweepSample| (Unit::Deg.from_inner(s.angle_rad), Unit::Um.from_inner(s.reading_mm));
     sweep.samples().iter().map(shown).collect()
 }
 
@@ -41,7 +42,7 @@ fn figure4(set: &str) -> Chart {
     let band = estimate.iter().map(|(a, e)| (*a, e - 1.5, e + 1.5)).collect();
     let errors = truth.iter().map(|(a, _)| (*a, error(*a))).collect();
     let limits = truth.iter().map(|(a, _)| (*a, -1.5, 1.5)).collect();
-    let series = |name: &str, tone, shape| Series { name: name.into(), tone, mark: shape };
+    let series = |name: &str, tone, mark| Series { name: name.into(), tone, mark };
     Chart {
         title: "Angular error of the tilting table".into(),
         x: Scale::new("Tilting angle a", Unit::Deg),

@@ -132,6 +132,7 @@ pub fn ring_picture(reports: &[(&str, &RingReport)], title: &str) -> Result<Stri
 
 /// Why there is no picture.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PictureError {
     /// Out of reach.
     #[error(transparent)]

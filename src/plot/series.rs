@@ -5,6 +5,7 @@ use trunnion_codegen::quantity::Unit;
 
 /// Why there is no picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum PlotError {
     /// A panel without a single point.
     #[error("panel {panel} has no points")]
