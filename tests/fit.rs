@@ -6,10 +6,10 @@ use rand_chacha::ChaCha8Rng;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use trunnion::data::{Dimension, Known, Radius, Sweep, Table};
+use trunnion::data::{Known, Quantity, Radius, Sweep, Table, Unit};
 use trunnion::study::{
-    Curve, Estimator, Fit, FitError, Limits, Observation, Report, Sample, Setup, Warning, draw, fit, grid, neglected,
-    report,
+    Curve, ErrorLimits, EstimateError, Estimator, Fit, Observation, Report, Sample, Setup, Warning, draw, fit, grid,
+    neglected, report,
 };
 use trunnion_codegen::catalogue;
 use trunnion_codegen::ids::{FunctionId, RunId};
@@ -47,7 +47,7 @@ impl Set {
         let mm = truth["radius_mm"].as_f64().unwrap();
         let setup = Setup::new(catalogue::model("tilting-table-a").unwrap().unwrap(), &[("R", mm)]).unwrap();
         let path = |f: &str| file(&format!("reference/tilting-table/{name}/{f}.csv"));
-        let lengths = ["dya", "dza"].map(|name| Known { name: name.into(), dimension: Dimension::Length });
+        let lengths = ["dya", "dza"].map(|name| Known { name: name.into(), quantity: Quantity::Length });
         let table = Table::read(&path("table"), "a", &lengths).unwrap();
         let observe = |name: &str| {
             let sweep = Sweep::read(&path(name), "a", Radius::new(mm).unwrap(), 11).unwrap();
@@ -73,7 +73,7 @@ impl Set {
     }
 
     fn report(&self, estimator: Estimator) -> (Report, Curve) {
-        let report = report(&self.setup, &self.observations, &self.fit(estimator), Limits::PAPER, false).unwrap();
+        let report = report(&self.setup, &self.observations, &self.fit(estimator), ErrorLimits::PAPER, false).unwrap();
         let curve = report.functions[0].clone();
         (report, curve)
     }
@@ -137,7 +137,7 @@ fn without_noise_what_is_left_is_linearisations_and_within_its_bound() {
     let truth = set.truth["eps_xa"].as_array().unwrap();
     for (estimator, key) in ESTIMATORS {
         let (report, curve) = set.report(estimator);
-        let left = |p: &trunnion::study::Point| {
+        let left = |p: &trunnion::study::CurvePoint| {
             let truth = truth.iter().find(|t| (number(&t["a_deg"]) - p.at).abs() < 1e-9).unwrap();
             (p.value - number(&truth["urad"])).abs()
         };
@@ -161,10 +161,10 @@ fn no_drawn_machine_is_further_from_linear_than_the_bound() {
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let mut closest = 0.0f64;
     for _ in 0..100 {
-        let machine = draw(&set.setup, &exact.raw, Limits::PAPER, &mut random);
+        let machine = draw(&set.setup, &exact.raw, ErrorLimits::PAPER, &mut random);
         let base = machine.base(&set.setup);
         for (run, exact) in exact.iter_enumerated() {
-            let bound = neglected(&set.setup, run, &sweeps, Limits::PAPER).unwrap().bound;
+            let bound = neglected(&set.setup, run, &sweeps, ErrorLimits::PAPER).unwrap().bound;
             let known = set.setup.true_known(run, exact, &machine);
             let clean: Vec<f64> = exact.values(&machine).collect();
             let mut row = set.setup.row(run);
@@ -188,7 +188,7 @@ fn the_bound_is_of_second_order() {
     for o in &set.observations {
         let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
         let largest =
-            |length, angle| neglected(&set.setup, o.run, &sweeps, Limits { length, angle }).unwrap().largest();
+            |length, angle| neglected(&set.setup, o.run, &sweeps, ErrorLimits { length, angle }).unwrap().largest();
         assert_eq!(largest(0.0, 0.0), 0.0);
         assert!(relative(largest(0.015, 5e-5) * 4.0, largest(0.03, 1e-4)) < 1e-12);
     }
@@ -322,13 +322,16 @@ fn the_cost_of_no_table_is_what_the_worst_table_does() {
     }
     for (estimator, key) in ESTIMATORS {
         let whole = set.fit(estimator);
-        let said = report(&set.setup, &set.observations, &whole, Limits::PAPER, true).unwrap();
+        let said = report(&set.setup, &set.observations, &whole, ErrorLimits::PAPER, true).unwrap();
         let costs: Vec<(&str, f64)> = said
             .warnings
             .iter()
             .filter_map(|w| match w {
                 Warning::TakenAsZero { known, unit, costs } => {
-                    assert_eq!((*unit, costs[0].0.as_str(), costs[0].1, costs.len()), ("um", "eps_xa", "urad", 1));
+                    assert_eq!(
+                        (*unit, costs[0].0.as_str(), costs[0].1, costs.len()),
+                        (Unit::Um, "eps_xa", Unit::Urad, 1)
+                    );
                     Some((known.as_str(), costs[0].2))
                 }
                 _ => None,
@@ -372,14 +375,16 @@ fn what_no_fit_can_use_is_refused() {
     let nan = |o: &mut Vec<Observation>| o[0].samples[3].reading = f64::NAN;
     let huge = |o: &mut Vec<Observation>| o[1].samples[3].reading = 1e300;
     for (estimator, key) in ESTIMATORS {
-        assert!(matches!(refused(&few, estimator), FitError::TooFewSamples { .. }), "{key}");
+        assert!(matches!(refused(&few, estimator), EstimateError::TooFewSamples { .. }), "{key}");
         match refused(&one_angle, estimator) {
-            FitError::Confounded { base, .. } => assert!(base.len() >= 2, "{key}: {base:?}"),
+            EstimateError::Confounded { coefficients, .. } => {
+                assert!(coefficients.len() >= 2, "{key}: {coefficients:?}")
+            }
             other => panic!("{key}: {other:?}"),
         }
-        assert_eq!(refused(&nan, estimator), FitError::NotFinite, "{key}");
-        assert_eq!(refused(&huge, estimator), FitError::NotFinite, "{key}");
+        assert_eq!(refused(&nan, estimator), EstimateError::NotFinite, "{key}");
+        assert_eq!(refused(&huge, estimator), EstimateError::NotFinite, "{key}");
     }
     let only_tilting = |o: &mut Vec<Observation>| o.truncate(1);
-    assert_eq!(refused(&only_tilting, Estimator::TwoStep), FitError::NoFirstStep);
+    assert_eq!(refused(&only_tilting, Estimator::TwoStep), EstimateError::NoFirstStep);
 }

@@ -136,7 +136,13 @@ fn one_term_a_line(equation: &str) -> String {
     let mut out = String::new();
     for word in words {
         let cut = long && open == 0 && ["+", "-", "−"].contains(&word) && !out.is_empty();
-        out += if cut { "\n            " } else if out.is_empty() { "" } else { " " };
+        out += if cut {
+            "\n            "
+        } else if out.is_empty() {
+            ""
+        } else {
+            " "
+        };
         out += word;
         open += word.matches('(').count() as i32 - word.matches(')').count() as i32;
     }

@@ -71,4 +71,5 @@ pub mod kinematics;
 pub mod measurement;
 pub mod model;
 pub mod problems;
+pub mod quantity;
 mod source;
