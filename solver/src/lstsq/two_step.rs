@@ -15,7 +15,6 @@
 //! cov e     = s₂² (E'WE)⁻¹ + G cov k G'
 //! ```
 
-use super::solution::dot;
 use super::solve::Residual;
 use super::triangle::Triangle;
 use super::{Condition, Factor, Order, Real, Solution, SolveError, Step, TwoStepError};
@@ -38,7 +37,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     ///
     /// # Errors
     /// [`TwoStepError`]: the step that failed, and why, as of [`Factor::solve`].
-    #[inline]
+    #[inline(always)]
     pub fn solve<T: Real>(
         &self,
         first: &Factor<T, F>,
@@ -79,15 +78,14 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         e.determined(&u_e, Some(one)).map_err(|e| self.second_failed(e))?;
 
         let cov_k = k.covariance(&u_k, one);
+        let cov_e = e.covariance(&u_e, one);
         let cross = self.cross(&self.gain(second, &e), &cov_k);
         let mut sensitivity = [[[T::zero(); P]; P]; 2];
         let [of_first, of_second] = &mut sensitivity;
         place(of_first, self.first(), self.first(), &cov_k);
         place_transposed(of_first, self.own(), self.first(), &cross);
-        place(of_second, self.own(), self.own(), &e.covariance(&u_e, one));
-        let zero = [T::zero(); P];
-        let check = sensitivity.iter().flatten().fold(T::zero(), |sum, column| sum + dot(column, &zero));
-        if !check.is_finite() {
+        place(of_second, self.own(), self.own(), &cov_e);
+        if !sensitivity.iter().flatten().all(|column| T::all_finite(column)) {
             return Err(self.second_failed(SolveError::NotFinite));
         }
         let [first, second] = sensitivity.map(SMatrix::from);
@@ -181,12 +179,16 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     /// Adds G cov k G', given G cov k.
     #[inline(always)]
     fn widen<T: Real>(&self, cov_e: &mut [[T; S]; S], cross: &[[T; F]; S], gain: &[[T; S]; S]) {
-        for ((cov_e, cross), _) in cov_e.iter_mut().zip(cross).zip(self.own()) {
-            for (gain, &source) in gain.iter().zip(&self.source) {
-                let Some(&cov) = cross.get(source) else { continue };
-                for ((v, &g), _) in cov_e.iter_mut().zip(gain).zip(self.own()) {
-                    *v += cov * g;
+        let own = self.own_count.min(S);
+        for i in 0..own {
+            let cross = self.given_of(&cross[i]);
+            for j in i..own {
+                let mut sum = cov_e[i][j];
+                for l in own..S {
+                    sum += cross[l] * gain[l][j];
                 }
+                cov_e[i][j] = sum;
+                cov_e[j][i] = sum;
             }
         }
     }
@@ -200,7 +202,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     /// Right-hand side and residual sum of squares of the second step with `k` put in.
     #[inline(always)]
     fn given<T: Real>(&self, second: &Factor<T, S>, k: &[T; F]) -> ([T; S], T) {
-        let (own, k) = (self.own().len(), self.given_of(k));
+        let (own, k) = (self.own_count.min(S), self.given_of(k));
         let (mut rest, mut rss) = (second.q, second.rss);
         for i in 0..S {
             for j in own.max(i + 1)..S {
