@@ -1,7 +1,8 @@
 //! `trunnion exechon offset`: a probe's offset from touches in a ring.
 
+use super::ExechonRefused;
+use super::arguments::Which;
 use super::spool::print;
-use super::{ExechonRefused, Which};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;

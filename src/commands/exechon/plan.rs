@@ -1,7 +1,8 @@
 //! `trunnion exechon plan`: where to touch a feature, with which spindle angle.
 
+use super::ExechonRefused;
+use super::arguments::{Which, numbers};
 use super::spool::{Spool, print};
-use super::{ExechonRefused, Which, numbers};
 use clap::{Args, ValueEnum};
 use trunnion::exechon::{Feature, plan, ring_program};
 

@@ -1,7 +1,8 @@
 //! `trunnion exechon ring`: what a probed ring shows.
 
+use super::ExechonRefused;
+use super::arguments::{Which, numbers};
 use super::spool::{picture, print};
-use super::{ExechonRefused, Which, numbers};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;

@@ -1,18 +1,20 @@
 //! `trunnion plan`: what intended runs would tell, before anything is measured.
 
+mod found;
 mod json;
 mod text;
 
+use self::found::Found;
+use super::Refused;
 use super::model::{load, others, source};
+use super::output::print;
 use super::predicted::{self, Measuring};
-use super::{Refused, print};
 use clap::Args;
 use trunnion::data::Radius;
-use trunnion::study::plan::{Addition, Compared, Comparison, additions, compare};
-use trunnion::study::{Estimator, SetupError};
+use trunnion::study::SetupError;
+use trunnion::study::plan::{Comparison, additions, compare};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
-use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::model::{Model, read_draft};
 use trunnion_codegen::problems::derivation;
 
@@ -40,19 +42,6 @@ pub struct PlanArguments {
     json: bool,
 }
 
-/// All there is to say.
-struct Found<'a> {
-    model: &'a Model,
-    derivation: &'a Derivation,
-    estimator: Estimator,
-    compared: Vec<Compared>,
-    /// The confounded groups in words.
-    described: Vec<String>,
-    /// Runs of the catalogue that fit the machine.
-    tried: usize,
-    added: Vec<Addition>,
-}
-
 const RADII: [f64; 3] = [100.0, 150.0, 300.0];
 const RANGES: [(f64, f64); 3] = [(0.0, 360.0), (-20.0, 200.0), (-90.0, 90.0)];
 
@@ -69,11 +58,20 @@ impl PlanArguments {
         let (tried, added) = additions(&draft, &model, &derivation, catalogue::MODELS);
         let described: Vec<String> =
             derivation.groups().iter().map(|g| equations::group(&model, &derivation, g)).collect();
-        let (model, derivation, estimator) = (&model, &derivation, comparison.estimator);
-        let found = Found { model, derivation, estimator, compared, described, tried, added };
+        let found = Found {
+            model: &model,
+            derivation: &derivation,
+            comparison: &comparison,
+            noise_um: self.measuring.noise_um,
+            named: !self.without.is_empty(),
+            compared,
+            described,
+            tried,
+            added,
+        };
         print(&match self.json {
-            true => format!("{:#}\n", json::json(&self, &found)),
-            false => text::text(&self, &found),
+            true => format!("{:#}\n", json::json(&found)),
+            false => text::text(&found),
         })
     }
 
