@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use trunnion_codegen::algebra::Order;
-use trunnion_codegen::emit::model::rust_source;
+use trunnion_codegen::emit::rust::{Support, model_source};
 use trunnion_codegen::identify::derive;
 use trunnion_codegen::measurement::reading;
 use trunnion_codegen::{catalogue, model};
@@ -22,7 +22,8 @@ fn derivation(c: &mut Criterion) {
         group.bench_function(format!("both readings, order {}", order.get()), |b| b.iter(both));
     }
     group.bench_function("with base parameters", |b| b.iter(|| derive(black_box(&model))));
-    group.bench_function("Rust source", |b| b.iter(|| rust_source(black_box(&model), &derived)));
+    group
+        .bench_function("Rust source", |b| b.iter(|| model_source(black_box(&model), &derived, &Support::of_solver())));
     group.finish();
 }
 

@@ -5,32 +5,31 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use trunnion::study::{self, Estimator, Limits, Plan, Setup};
 use trunnion_codegen::catalogue;
-use trunnion_solver::tilting::{Joint, TwoStep, regressors};
+use trunnion_solver::tilting::{self, Joint, Lengths, TwoStep};
 
 const SAMPLES: usize = 360;
+const BAR: Lengths<f64> = Lengths { r: 150.0 };
 
 fn fit(c: &mut Criterion) {
     let sweeps = study::grid(SAMPLES, (0.0, TAU));
     let reading = |a: f64| 0.02 * (3.0 * a).sin();
     let mut group = c.benchmark_group("solver");
-    group.bench_function("generated row, run 1", |b| b.iter(|| regressors::tilting(black_box(150.0), black_box(1.1))));
-    group.bench_function("generated row, run 2", |b| {
-        b.iter(|| regressors::separation(black_box(150.0), black_box(1.1)))
-    });
-    let mut joint = Joint::new(150.0).expect("a radius");
+    group.bench_function("generated row, run 1", |b| b.iter(|| tilting::tilting(black_box(150.0), black_box(1.1))));
+    group.bench_function("generated row, run 2", |b| b.iter(|| tilting::separation(black_box(150.0), black_box(1.1))));
+    let mut joint = Joint::new(BAR).expect("a radius");
     let mut angle = 0.0;
     group.bench_function("row and push, joint", |b| {
         b.iter(|| {
             angle += 0.01;
-            joint.push_tilting(black_box(angle), 0.001, [0.0, 0.0])
+            joint.push_tilting(black_box(angle), 0.001, 0.0, 0.0)
         });
     });
     group.throughput(Throughput::Elements(2 * SAMPLES as u64));
     group.bench_function("both runs, joint", |b| {
         b.iter(|| {
-            let mut joint = Joint::new(150.0).expect("a radius");
+            let mut joint = Joint::new(BAR).expect("a radius");
             for &a in &sweeps {
-                let _ = joint.push_tilting(a, reading(a), [0.0, 0.0]);
+                let _ = joint.push_tilting(a, reading(a), 0.0, 0.0);
                 let _ = joint.push_separation(a, reading(a));
             }
             joint.solve()
@@ -38,9 +37,9 @@ fn fit(c: &mut Criterion) {
     });
     group.bench_function("both runs, two-step", |b| {
         b.iter(|| {
-            let mut two = TwoStep::new(150.0).expect("a radius");
+            let mut two = TwoStep::new(BAR).expect("a radius");
             for &a in &sweeps {
-                let _ = two.push_tilting(a, reading(a), [0.0, 0.0]);
+                let _ = two.push_tilting(a, reading(a), 0.0, 0.0);
                 let _ = two.push_separation(a, reading(a));
             }
             two.solve()

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 use trunnion::data::{
-    Dimension, FileError, Known, Problem, Radius, RadiusError, Sweep, Table, Truth, TruthFunction, Unit, WriteProblem,
-    write_atomically,
+    Dimension, FileError, FileProblem, Known, Radius, RadiusError, Sweep, Table, Truth, TruthFunction, Unit,
+    WriteProblem, write_atomically,
 };
 
 fn reference(set: &str, file: &str) -> PathBuf {
@@ -286,7 +286,7 @@ fn bad_tables() {
     let known = Table::read(&path, "a", &angles("ex")).unwrap();
     let run = Sweep::new(path.with_file_name("tilting.csv"), (0..10).map(|i| (f64::from(i * 20).to_radians(), 0.0)));
     let error = known.at_samples(&run).unwrap_err();
-    assert!(matches!(&error.problem, Problem::OutsideTable { samples, .. } if samples.len() == 5));
+    assert!(matches!(&error.problem, FileProblem::OutsideTable { samples, .. } if samples.len() == 5));
     writeln!(said, "samples outside the range\n{}", message(&error)).unwrap();
     insta::assert_snapshot!(said);
 }

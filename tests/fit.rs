@@ -14,7 +14,8 @@ use trunnion::study::{
 use trunnion_codegen::catalogue;
 use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::measurement::ExactReading;
-use trunnion_solver::tilting::{Joint, TwoStep};
+use trunnion_solver::lstsq::student_t_95;
+use trunnion_solver::tilting::{Estimate, Joint, Lengths, TwoStep};
 use typed_index_collections::TiVec;
 
 const ESTIMATORS: [(Estimator, &str); 2] = [(Estimator::Joint, "joint"), (Estimator::TwoStep, "two-step")];
@@ -215,17 +216,18 @@ fn an_arc_too_short_is_warned_of_by_name() {
 #[test]
 fn the_embedded_solver_gives_the_same_as_the_study() {
     let set = Set::read("full");
-    let (mut joint, mut two_step) = (Joint::new(150.0f64).unwrap(), TwoStep::new(150.0f64).unwrap());
-    let (mut joint_f32, mut two_step_f32) = (Joint::new(150.0f32).unwrap(), TwoStep::new(150.0f32).unwrap());
+    let (bar, bar_f32) = (Lengths { r: 150.0f64 }, Lengths { r: 150.0f32 });
+    let (mut joint, mut two_step) = (Joint::new(bar).unwrap(), TwoStep::new(bar).unwrap());
+    let (mut joint_f32, mut two_step_f32) = (Joint::new(bar_f32).unwrap(), TwoStep::new(bar_f32).unwrap());
     let short = |x: &f64| *x as f32;
     for o in &set.observations {
         for s in &o.samples {
             let (a, y) = (short(&s.sweep), short(&s.reading));
             if let [dya, dza] = s.known[..] {
-                joint.push_tilting(s.sweep, s.reading, [dya, dza]).unwrap();
-                two_step.push_tilting(s.sweep, s.reading, [dya, dza]).unwrap();
-                joint_f32.push_tilting(a, y, [dya, dza].map(|x| x as f32)).unwrap();
-                two_step_f32.push_tilting(a, y, [dya, dza].map(|x| x as f32)).unwrap();
+                joint.push_tilting(s.sweep, s.reading, dya, dza).unwrap();
+                two_step.push_tilting(s.sweep, s.reading, dya, dza).unwrap();
+                joint_f32.push_tilting(a, y, short(&dya), short(&dza)).unwrap();
+                two_step_f32.push_tilting(a, y, short(&dya), short(&dza)).unwrap();
             } else {
                 joint.push_separation(s.sweep, s.reading).unwrap();
                 two_step.push_separation(s.sweep, s.reading).unwrap();
@@ -236,13 +238,13 @@ fn the_embedded_solver_gives_the_same_as_the_study() {
     }
     let (joint, two_step) = (joint.solve().unwrap(), two_step.solve().unwrap());
     let (joint_f32, two_step_f32) = (joint_f32.solve().unwrap(), two_step_f32.solve().unwrap());
-    let point = |(value, std): (f64, f64), band: f64| [value, std, band];
-    let streamed: [&dyn Fn(f64) -> [f64; 3]; 2] =
-        [&|a| point(joint.eps_xa(a).unwrap(), joint.band(a).unwrap()), &|a| {
-            point(two_step.eps_xa(a).unwrap(), two_step.band(a).unwrap())
-        }];
+    let point = |estimate: &Estimate<f64>, a: f64| {
+        let (value, std) = estimate.e_xa(a).unwrap();
+        [value, std, student_t_95::<f64>(estimate.solution.degrees_of_freedom) * std]
+    };
+    let streamed: [&dyn Fn(f64) -> [f64; 3]; 2] = [&|a| point(&joint, a), &|a| point(&two_step, a)];
     let streamed_f32: [&dyn Fn(f32) -> (f32, f32); 2] =
-        [&|a| joint_f32.eps_xa(a).unwrap(), &|a| two_step_f32.eps_xa(a).unwrap()];
+        [&|a| joint_f32.e_xa(a).unwrap(), &|a| two_step_f32.e_xa(a).unwrap()];
     for (((estimator, key), streamed), streamed_f32) in ESTIMATORS.into_iter().zip(streamed).zip(streamed_f32) {
         let whole = set.fit(estimator);
         let (_, curve) = set.report(estimator);

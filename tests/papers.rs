@@ -5,7 +5,7 @@ use std::fmt::Write;
 use trunnion_codegen::algebra::{Alphabet, Fraction, Order, Poly};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations::{self, Printer, Style};
-use trunnion_codegen::emit::model::rust_source;
+use trunnion_codegen::emit::rust::{Support, model_source};
 use trunnion_codegen::identify::{Derivation, derive};
 use trunnion_codegen::ids::{ParameterId, RunId};
 use trunnion_codegen::measurement;
@@ -228,7 +228,7 @@ fn the_derivation_in_every_form() {
     let (model, derivation) = paper();
     assert_eq!(derivation.rank(), 11);
     insta::with_settings!({ snapshot_path => "../snapshots", prepend_module_to_snapshot => false, omit_expression => true }, {
-        insta::assert_snapshot!("tilting-table-a.rust", rust_source(&model, &derivation).unwrap());
+        insta::assert_snapshot!("tilting-table-a.rust", model_source(&model, &derivation, &Support::of_solver()).unwrap());
         insta::assert_snapshot!("tilting-table-a.json", format!("{:#}", equations::json(&model, &derivation)));
     });
 }

@@ -6,6 +6,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 use trunnion_codegen::algebra::Order;
+use trunnion_codegen::emit::rust::Support;
 use trunnion_codegen::emit::{Function, Output};
 use trunnion_codegen::graph::Graph;
 use trunnion_codegen::identify::derive;
@@ -69,8 +70,10 @@ fn row(model: &Model) -> String {
         elements.push((name, emit::model::poly(&mut graph, &model.alphabet, &coefficient)));
     }
     let outputs = [Output::array("row", &elements)];
-    let function = Function::new(&graph, "trunnion", &["The linear reading's row."], &["R", "a"], &outputs);
-    emit::rust::source(&[function.expect("R and a are all")], "tilting-table-a")
+    let inputs = emit::model::run(model, &derive(model).expect("it derives"), 0.into()).expect("it lowers");
+    let inputs = inputs.inputs().to_vec();
+    let function = Function::new(&graph, "trunnion", &["The linear reading's row."], inputs, &outputs);
+    emit::rust::source(&[function.expect("R and a are all")], "tilting-table-a", &Support::of_solver())
 }
 
 fn main() {
@@ -80,7 +83,7 @@ fn main() {
     let source = catalogue::source("tilting-table-a").expect("the paper's model");
     let model = catalogue::model("tilting-table-a").expect("the paper's model").expect("it reads");
     let readings = || model.runs.iter().map(|r| reading(&model, r, Order::LINEAR)).collect::<Vec<_>>();
-    let rust = || derive(&model).map(|d| emit::model::rust_source(&model, &d));
+    let rust = || derive(&model).map(|d| emit::rust::model_source(&model, &d, &Support::of_solver()));
     show("file to model", timed(|| trunnion_codegen::model::read(source)));
     show("both runs, from matrices to linear normal form", timed(readings));
     show("  and base parameters", timed(|| derive(&model)));

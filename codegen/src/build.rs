@@ -6,9 +6,10 @@
 //! }
 //! ```
 //!
-//! and in the crate, which needs `num-traits`:
+//! and in the crate, which needs `trunnion-solver`:
 //! `mod my_table { include!(concat!(env!("OUT_DIR"), "/my-table.rs")); }`.
 
+use crate::emit::rust::Support;
 use crate::problems::{Colour, read_and_derive, render};
 use crate::{catalogue, emit};
 use core::fmt;
@@ -60,7 +61,7 @@ pub fn from_catalogue(name: &str) -> Result<(), Failed> {
 pub fn module(path: &str, source: &str) -> Result<String, Failed> {
     let derived = read_and_derive(source);
     let (model, derivation) = derived.map_err(|problems| Failed(render(path, source, &problems, Colour::Off)))?;
-    emit::model::rust_source(&model, &derivation).map_err(|e| Failed(format!("{path}: {e}")))
+    emit::rust::model_source(&model, &derivation, &Support::of_solver()).map_err(|e| Failed(format!("{path}: {e}")))
 }
 
 fn write(module: &str, like: &Path) -> Result<(), Failed> {

@@ -4,13 +4,30 @@
 //! signed, the orientation is a rotation, and (5) is closed with the A axis' own y direction and its branch sign.
 //! Lengths in mm; p = (x, y, z) is the moving platform's origin in base coordinates.
 
-use crate::emit::{Function, Output};
-use crate::graph::{Graph, Id, Unbound};
+use crate::emit::{Function, Input, Output};
+use crate::graph::{Graph, Id, Symbol, Unbound};
 
 type Vector = [Id; 3];
 
 /// The platform's origin.
 const PLATFORM: [&str; 3] = ["x", "y", "z"];
+
+/// What the functions take: dimensions, the point on the spindle axis, the tool's direction, the platform's origin.
+#[rustfmt::skip]
+const INPUTS: [&str; 16] = [
+    "xu", "ys2", "xr", "yr5", "ycp", "zc", "yt", "sx", "sy", "sz", "tx", "ty", "tz", "x", "y", "z",
+];
+
+fn symbol(g: &mut Graph, name: &str) -> Id {
+    let at = INPUTS.iter().position(|input| *input == name);
+    g.symbol(Symbol::Input(at.map_or(u32::MAX, |at| at as u32)))
+}
+
+/// The inputs of these names, which are among [`INPUTS`], then the platform's origin.
+fn inputs(names: &[&str]) -> Vec<Input> {
+    let wanted = names.iter().chain(&PLATFORM);
+    wanted.filter_map(|name| Input::all(&INPUTS).into_iter().find(|input| input.name() == *name)).collect()
+}
 
 /// The functions of the machine, in the order in which they are printed: `orientation`, `struts`, `closure`.
 ///
@@ -28,7 +45,7 @@ fn orientation() -> Result<Function, Unbound> {
         &g,
         "orientation",
         &["Orientation (4) of the moving platform: its x, y and z axes, one a row."],
-        &[&["ys2"][..], &PLATFORM].concat(),
+        inputs(&["ys2"]),
         &[Output::matrix("axes", &axes)],
     )
 }
@@ -37,8 +54,8 @@ fn orientation() -> Result<Function, Unbound> {
 fn struts() -> Result<Function, Unbound> {
     let mut g = Graph::new();
     let [x_axis, y_axis, _] = axes(&mut g);
-    let p = PLATFORM.map(|name| g.symbol(name));
-    let [xu, ys2, xr, yr5] = ["xu", "ys2", "xr", "yr5"].map(|name| g.symbol(name));
+    let p = PLATFORM.map(|name| symbol(&mut g, name));
+    let [xu, ys2, xr, yr5] = ["xu", "ys2", "xr", "yr5"].map(|name| symbol(&mut g, name));
     let lengths = [(x_axis, xr, 0, xu), (y_axis, yr5, 1, ys2), (x_axis, xr, 0, xu)];
     let signs = [-1, 1, 1];
     let mut named = Vec::new();
@@ -61,7 +78,7 @@ fn struts() -> Result<Function, Unbound> {
         &g,
         "struts",
         &["Strut lengths (1)-(3) and their derivatives by the platform's position."],
-        &[&["xu", "ys2", "xr", "yr5"][..], &PLATFORM].concat(),
+        inputs(&["xu", "ys2", "xr", "yr5"]),
         &[Output::array("lengths", &named), Output::matrix("jacobian", &jacobian)],
     )
 }
@@ -70,10 +87,10 @@ fn struts() -> Result<Function, Unbound> {
 fn closure() -> Result<Function, Unbound> {
     let mut g = Graph::new();
     let [_, y_axis, z_axis] = axes(&mut g);
-    let p = PLATFORM.map(|name| g.symbol(name));
-    let t = ["tx", "ty", "tz"].map(|name| g.symbol(name));
-    let ps = ["sx", "sy", "sz"].map(|name| g.symbol(name));
-    let [ycp, zc, yt] = ["ycp", "zc", "yt"].map(|name| g.symbol(name));
+    let p = PLATFORM.map(|name| symbol(&mut g, name));
+    let t = ["tx", "ty", "tz"].map(|name| symbol(&mut g, name));
+    let ps = ["sx", "sy", "sz"].map(|name| symbol(&mut g, name));
+    let [ycp, zc, yt] = ["ycp", "zc", "yt"].map(|name| symbol(&mut g, name));
 
     let along = dot(&mut g, z_axis, t);
     let mut across = [Id::ZERO; 3];
@@ -104,15 +121,15 @@ fn closure() -> Result<Function, Unbound> {
             "",
             "`yt` carries the branch's sign: the A axis' y offset times the sign of sin A.",
         ],
-        &[&["ys2", "ycp", "zc", "yt", "sx", "sy", "sz", "tx", "ty", "tz"][..], &PLATFORM].concat(),
+        inputs(&["ys2", "ycp", "zc", "yt", "sx", "sy", "sz", "tx", "ty", "tz"]),
         &[Output::array("residual", &named), Output::matrix("jacobian", &jacobian)],
     )
 }
 
 /// The platform's axes (4). The x axis of the base carries the outer gimbals, so ŷ has no x component.
 fn axes(g: &mut Graph) -> [Vector; 3] {
-    let [x, y, z] = PLATFORM.map(|name| g.symbol(name));
-    let ys2 = g.symbol("ys2");
+    let [x, y, z] = PLATFORM.map(|name| symbol(g, name));
+    let ys2 = symbol(g, "ys2");
     let (yy, zz) = (g.power(y, 2), g.power(z, 2));
     let q_square = g.sum(&[yy, zz]);
     let q = g.sqrt(q_square);
@@ -157,7 +174,7 @@ mod tests {
     fn the_platform_s_axes_are_a_right_handed_rotation() {
         let mut g = Graph::new();
         let axes = axes(&mut g);
-        let at = [("x", -235.0), ("y", 15.0), ("z", 1156.0), ("ys2", 450.0)];
+        let at = inputs(&["ys2"]).iter().map(Input::symbol).zip([450.0, -235.0, 15.0, 1156.0]).collect::<Vec<_>>();
         let value = |id| g.evaluate(id, &at).unwrap();
         let [x, y, z] = axes.map(|axis| axis.map(value));
         let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();

@@ -1,6 +1,45 @@
 //! Macros that turn a user's own machine into a generated, `no_std` measurement model.
 //!
+//! ```
+//! use trunnion_solver::Machine;
+//!
+//! /// A rotary table under two slides: the tool stays R ahead of a ball at the distance L from the axis.
+//! #[derive(Machine)]
+//! #[machine(constants(R, L), estimate(ECC))]
+//! #[run(
+//!     tangential,
+//!     sweep = "c",
+//!     at(C = "c", X = "L*cos(c) - R*sin(c)", Y = "L*sin(c) + R*cos(c)"),
+//!     workpiece_ball(at("L", "0", "0"), setup(w_x, w_y, w_z)),
+//!     tool_ball(setup(t_x, t_y, t_z)),
+//!     bar = "R"
+//! )]
+//! #[function(EXC = known, EYC = known, ECC = fourier(2))]
+//! #[function(EXX = polynomial(2), EYX = polynomial(1), ECX = zero, EXY = zero, EYY = polynomial(2))]
+//! pub struct Table {
+//!     #[workpiece(rotary = "z", location(EX0C, EY0C, EC0C))]
+//!     pub c: f64,
+//!     #[tool(linear = "x")]
+//!     pub x: f64,
+//!     #[tool(linear = "y", location("EC(0X)Y"))]
+//!     pub y: f64,
+//! }
+//!
+//! assert_eq!(Table::NAMES[..4], ["ECC_cos1", "ECC_sin1", "ECC_cos2", "ECC_sin2"]);
+//! ```
+//!
 //! The crate that uses [`Machine`] needs `trunnion-solver` and nothing else; enable its feature `derive`.
+//!
+//! | attribute | on | says |
+//! |---|---|---|
+//! | `#[machine(…)]` | the struct | `constants`, `estimate`, `order`, `title`, `notation`, `names` of the model |
+//! | `#[run(NAME, …)]` | the struct, one a run | `sweep`, `at`, `workpiece_ball`, `tool_ball`, and `bar` or `displacement` |
+//! | `#[function(ERROR = …)]` | the struct | what is assumed of motion errors: `polynomial`, `fourier`, `known`, `zero` |
+//! | `#[workpiece(…)]`, `#[tool(…)]` | a field | an axis on that side: `rotary` or `linear`, `location`, `name` |
+//!
+//! Each means what the key of the same name means in a
+//! [model file](https://github.com/trunnion-metrology/trunnion/blob/main/docs/model-file.md). What cannot be derived is a compiler error
+//! at the text that is to blame, in the words a model file's mistake has.
 
 mod machine;
 mod parse;
@@ -9,7 +48,8 @@ mod places;
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{DeriveInput, parse_macro_input};
-use trunnion_codegen::{emit, problems};
+use trunnion_codegen::emit::rust::{Owner, Support, model_items};
+use trunnion_codegen::problems;
 
 /// Derives the measurement model of a machine whose axes are the struct's fields.
 ///
@@ -17,8 +57,7 @@ use trunnion_codegen::{emit, problems};
 /// field, in capitals. What the attributes say is what a model file says (`docs/model-file.md`), expressions as texts.
 ///
 /// ```
-/// use trunnion_solver::lstsq::Factor;
-/// use trunnion_solver::{Machine, nalgebra::SVector};
+/// use trunnion_solver::Machine;
 ///
 /// /// A rotary table and the bar that is held against it.
 /// #[derive(Machine)]
@@ -38,23 +77,27 @@ use trunnion_codegen::{emit, problems};
 ///     pub c: f64,
 /// }
 ///
-/// const COLUMNS: usize = Table::NAMES.len();
-/// let mut fit = Factor::<f64, COLUMNS>::new();
+/// let mut fit = Table::fit(TableLengths { r: 150.0 })?;
 /// for i in 0..60 {
 ///     let c = f64::from(i) * 0.1;
-///     let row = Table::along_x(150.0, c);
-///     let mut all = SVector::<f64, COLUMNS>::zeros();
-///     for (at, value) in Table::ALONG_X.into_iter().zip(row) {
-///         all[at] = value;
-///     }
-///     fit.push(&all, 0.001 * c.sin())?;
+///     fit.push_along_x(c, 0.001 * c.sin())?;
 /// }
-/// assert_eq!(Table::NAMES[0], "EXC1");
-/// assert!(fit.solve()?.coefficients[0].abs() < 1e-6);
+/// let (exc, std) = fit.solve()?.exc(0.5)?;
+/// assert!(exc.abs() < 1e-3 && std < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// The type has
+/// Beside the type `Table` there are
+///
+/// - `TableLengths`, the lengths of the set-up by name;
+/// - `TableJoint`, made by `Table::fit`: the estimator of all runs at once, with a `push_…` for every run (known functions are
+///   subtracted inside), `merge`, `solve` and `condition`;
+/// - `TableTwoStep`, made by `Table::two_step`, where the model has runs without an estimated function and runs with one: those
+///   first, then the others with what they gave;
+/// - `TableEstimate`, which both give: the base parameters with their covariance, and every estimated function at a
+///   coordinate with its standard deviation (`estimate.exc(c)`).
+///
+/// The type itself has
 ///
 /// - `NAMES`: the base parameters, the estimated functions' coefficients first;
 /// - for every run a constant (`ALONG_X`), the positions in `NAMES` of what it sees, and a function
@@ -81,10 +124,8 @@ fn expand(input: &DeriveInput) -> syn::Result<TokenStream> {
     };
     let model = draft.build().map_err(told)?;
     let derivation = problems::derivation(&model).map_err(told)?;
-    let items = emit::model::rust_items(&model, &derivation, &quote!(::trunnion_solver::num_traits))
-        .map_err(|e| syn::Error::new(input.ident.span(), e))?;
-    let name = &input.ident;
-    Ok(quote!(impl #name { #items }))
+    let (owner, support) = (Owner::Type(input.ident.clone()), Support::in_macro(&quote!(::trunnion_solver::generated)));
+    model_items(&model, &derivation, &owner, &support).map_err(|e| syn::Error::new(input.ident.span(), e))
 }
 
 #[cfg(test)]

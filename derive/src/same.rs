@@ -1,9 +1,10 @@
 //! File, builder and macro describe one machine: the same equations, the same functions.
 
 use super::expand;
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::parse_quote;
-use trunnion_codegen::emit::{equations, model};
+use trunnion_codegen::emit::equations;
+use trunnion_codegen::emit::rust::{Owner, Support, model_items};
 use trunnion_codegen::model::{Draft, DraftAxis, DraftBall, DraftBasis, DraftReading, DraftRun};
 use trunnion_codegen::{catalogue, problems};
 
@@ -86,6 +87,8 @@ fn file_builder_and_macro_give_the_same_equations() {
             z: f64,
         }
     });
-    let items = model::rust_items(&file, &derived, &quote!(::trunnion_solver::num_traits)).unwrap();
-    assert_eq!(expanded.unwrap().to_string(), quote!(impl TiltingTable { #items }).to_string());
+    let (owner, support) =
+        (Owner::Type(format_ident!("TiltingTable")), Support::in_macro(&quote!(::trunnion_solver::generated)));
+    let items = model_items(&file, &derived, &owner, &support).unwrap();
+    assert_eq!(expanded.unwrap().to_string(), items.to_string());
 }

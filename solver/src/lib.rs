@@ -3,10 +3,13 @@
 
 pub mod circle;
 pub mod exechon;
+#[doc(hidden)]
+pub mod generated;
 pub mod lstsq;
+pub mod model;
 pub mod probe;
 pub mod tilting;
-pub mod trig;
+mod trig;
 
 pub use lstsq::Real;
 /// The crates that generated code and its callers speak in.

@@ -7,7 +7,8 @@ use clap::{Args, ValueEnum};
 use trunnion::data::Radius;
 use trunnion::study::Setup;
 use trunnion_codegen::emit::c::Real;
-use trunnion_codegen::emit::{c99, equations, model};
+use trunnion_codegen::emit::rust::{self, Support};
+use trunnion_codegen::emit::{c99, equations, numpy};
 use trunnion_codegen::identify::derive;
 
 /// Arguments of `derive`.
@@ -37,7 +38,7 @@ enum Emit {
     Text,
     /// Equations for a paper.
     Latex,
-    /// Regressors as Rust for `core` and `num-traits`.
+    /// Regressors and estimators as a Rust module for `core` and `trunnion-solver`.
     Rust,
     /// Regressors and a streaming solver as C99, in one file.
     C,
@@ -64,9 +65,9 @@ impl Derive {
         print(&match self.emit {
             Emit::Text => equations::text(&description, &derivation) + &predicted,
             Emit::Latex => equations::latex(&description, &derivation),
-            Emit::Rust => model::rust_source(&description, &derivation)?,
+            Emit::Rust => rust::model_source(&description, &derivation, &Support::of_solver())?,
             Emit::C => c99::sources(&description, &derivation, Real::Double)?.single(),
-            Emit::Numpy => model::numpy_source(&description, &derivation)?,
+            Emit::Numpy => numpy::model_source(&description, &derivation)?,
             Emit::Json => format!("{:#}\n", equations::json(&description, &derivation)),
         })
     }

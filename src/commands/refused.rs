@@ -86,7 +86,7 @@ impl Refused {
                 let constants: Vec<&str> = model.alphabet.constants().collect();
                 format!("the model has no constant `{name}`\n  expected {}", constants.join(", "))
             }
-            SetupError::Unbound(name) => format!("the derived row depends on `{name}`"),
+            SetupError::Unbound(e) => format!("the derived row is wrong: {e}"),
         })
     }
 

@@ -91,7 +91,7 @@ pub(crate) fn write_columns(
 }
 
 fn render(columns: &[(Wanted, Unit)], lines: impl Iterator<Item = Vec<f64>>) -> Result<Vec<u8>, WriteProblem> {
-    if let Some((_, unit)) = columns.iter().find(|(wanted, unit)| !wanted.role.units().contains(unit)) {
+    if let Some((_, unit)) = columns.iter().find(|(wanted, unit)| !wanted.units.contains(unit)) {
         return Err(WriteProblem::Unit(*unit));
     }
     let refused = |_| WriteProblem::Refused(io::ErrorKind::InvalidData);

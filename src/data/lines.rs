@@ -1,13 +1,12 @@
-//! From a file to its lines of numbers, in mm and rad.
+//! From a file to its lines of numbers, in mm and rad, one at a time.
 
-use std::fs;
-use std::io;
-use std::path::Path;
-
-use csv::{ReaderBuilder, StringRecord, Trim};
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
 
 use super::columns::{Column, Wanted, listed, resolve};
-use super::error::{FieldProblem, FileError, LineProblem, Problem, Separator};
+use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Separator};
+use super::records::{Record, Records};
 
 /// Lines before the last one that must agree in their number of decimals before a shorter last one counts as cut.
 const STEADY: usize = 10;
@@ -16,130 +15,172 @@ const STEADY: usize = 10;
 pub(crate) struct Line {
     /// Counted from 1.
     pub line: u64,
-    /// One for each wanted column, in mm or rad.
+    /// One for each wanted column, in mm or rad, or as it stands where the column has no unit.
     pub values: Vec<f64>,
 }
 
-/// The wanted columns of a file and its lines.
+/// The wanted columns of a file, read in constant memory. A bad line does not end it.
 pub(crate) struct Lines {
-    pub columns: Vec<Column>,
-    pub lines: Vec<Line>,
+    file: PathBuf,
+    records: Records,
+    header: Vec<String>,
+    columns: Vec<Column>,
+    decimals: Decimals,
 }
 
-/// Reads the wanted columns of a file.
-pub(crate) fn read(file: &Path, wanted: &[Wanted]) -> Result<Lines, FileError> {
-    text(file, wanted)
-        .and_then(|text| parse(&text, wanted))
-        .map_err(|problem| FileError { file: file.to_owned(), problem })
+impl Lines {
+    /// Opens a file with a header of these columns, in any order.
+    pub fn open(file: &Path, wanted: &[Wanted]) -> Result<Self, FileError> {
+        match File::open(file) {
+            Ok(source) => Self::from_source(file, Box::new(source), wanted),
+            Err(error) => Err(FileError { file: file.to_owned(), problem: unreadable(error.into(), wanted) }),
+        }
+    }
+
+    /// The same from elsewhere; `file` is its name in messages.
+    pub fn from_source(file: &Path, source: Box<dyn Read>, wanted: &[Wanted]) -> Result<Self, FileError> {
+        let mut records = Records::new(source);
+        match header(&mut records, wanted) {
+            Ok((header, columns)) => {
+                Ok(Self { file: file.to_owned(), records, header, columns, decimals: Decimals::default() })
+            }
+            Err(problem) => Err(FileError { file: file.to_owned(), problem: unreadable(problem, wanted) }),
+        }
+    }
+
+    /// The column that gives each wanted one.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// Its name in messages.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// All lines at once, or every bad one.
+    pub fn all(mut self) -> Result<Vec<Line>, FileError> {
+        let (mut lines, mut bad) = (Vec::new(), Vec::new());
+        while let Some(line) = self.next_line()? {
+            match line {
+                Ok(line) => lines.push(line),
+                Err(problem) => bad.push(problem),
+            }
+        }
+        match bad.is_empty() {
+            true => Ok(lines),
+            false => Err(FileError { file: self.file, problem: FileProblem::Lines(bad) }),
+        }
+    }
+
+    /// The next line, or what is wrong with it; none at the end.
+    fn next_line(&mut self) -> Result<Option<Result<Line, LineProblem>>, FileError> {
+        let fail = |problem| FileError { file: self.file.clone(), problem };
+        let Some(record) = self.records.next().map_err(fail)? else { return Ok(None) };
+        let line = record.line;
+        let values = match self.decimals.cut_short(&record, &self.header) {
+            Some(problem) => Err(problem),
+            None => numbers(&self.columns, &record.fields, self.header.len()),
+        };
+        Ok(Some(values.map(|values| Line { line, values }).map_err(|problem| LineProblem { line, problem })))
+    }
 }
 
-fn text(file: &Path, wanted: &[Wanted]) -> Result<String, Problem> {
-    let bytes = fs::read(file).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => Problem::Missing { columns: listed(wanted) },
-        io::ErrorKind::IsADirectory => Problem::Directory { columns: listed(wanted) },
-        kind => Problem::Unreadable(kind),
-    })?;
-    let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let good = error.as_bytes().iter().take(error.utf8_error().valid_up_to());
-        Problem::NotUtf8 { line: 1 + good.filter(|byte| **byte == b'\n').count() as u64, utf16 }
-    })?;
-    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+impl Iterator for Lines {
+    type Item = Result<Line, FileError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let line = match self.next_line() {
+            Ok(line) => line?,
+            Err(error) => return Some(Err(error)),
+        };
+        let fail = |problem| FileError { file: self.file.clone(), problem: FileProblem::Lines(vec![problem]) };
+        Some(line.map_err(fail))
+    }
 }
 
-fn parse(text: &str, wanted: &[Wanted]) -> Result<Lines, Problem> {
-    let mut records = records(text)?.into_iter();
-    let Some((line, header)) = records.next() else {
-        return Err(Problem::Empty { columns: listed(wanted) });
+/// What could not be opened, with what should be there.
+fn unreadable(problem: FileProblem, wanted: &[Wanted]) -> FileProblem {
+    match problem {
+        FileProblem::Unreadable(io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
+            FileProblem::Missing { columns: listed(wanted) }
+        }
+        FileProblem::Unreadable(io::ErrorKind::IsADirectory) => FileProblem::Directory { columns: listed(wanted) },
+        other => other,
+    }
+}
+
+fn header(records: &mut Records, wanted: &[Wanted]) -> Result<(Vec<String>, Vec<Column>), FileProblem> {
+    let Some(Record { line, fields, .. }) = records.next()? else {
+        return Err(FileProblem::Empty { columns: listed(wanted) });
     };
-    if let [only] = header.as_slice() {
+    if let [only] = fields.as_slice() {
         let other = [(';', Separator::Semicolon), ('\t', Separator::Tab)];
         if let Some((_, separator)) = other.into_iter().find(|(sign, _)| only.contains(*sign)) {
-            return Err(Problem::Separator { line, separator });
+            return Err(FileProblem::Separator { line, separator });
         }
     }
-    let columns = resolve(&header, wanted).map_err(|problems| Problem::Header { line, problems })?;
-    let records: Vec<_> = records.collect();
-    let cut = cut_short(text, &header, &records);
-    let mut bad = Vec::new();
-    let mut lines = Vec::with_capacity(records.len());
-    for (line, fields) in &records {
-        match numbers(&header, &columns, fields) {
-            Ok(values) => lines.push(Line { line: *line, values }),
-            Err(problem) => bad.push(LineProblem { line: *line, problem }),
-        }
-    }
-    if let Some(cut) = cut {
-        bad.retain(|problem| problem.line != cut.line);
-        bad.push(cut);
-    }
-    if bad.is_empty() { Ok(Lines { columns, lines }) } else { Err(Problem::Lines(bad)) }
+    let header: Vec<String> = fields.into_iter().map(str::to_owned).collect();
+    let columns = resolve(&header, wanted).map_err(|problems| FileProblem::Header { line, problems })?;
+    Ok((header, columns))
 }
 
-type Record = (u64, Vec<String>);
-
-fn records(text: &str) -> Result<Vec<Record>, Problem> {
-    let mut reader = ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .comment(Some(b'#'))
-        .trim(Trim::All)
-        .from_reader(text.as_bytes());
-    let mut record = StringRecord::new();
-    let mut records = Vec::new();
-    while reader.read_record(&mut record).map_err(|_| Problem::Unreadable(io::ErrorKind::InvalidData))? {
-        let first = record.get(0).unwrap_or_default();
-        if first.starts_with('#') || record.iter().all(str::is_empty) && record.len() == 1 {
-            continue;
-        }
-        let line = record.position().map_or(0, |position| {
-            // The position is where the reader began to look: before the comments and empty lines it skipped.
-            let skipped = text.get(position.byte() as usize..).unwrap_or_default().lines();
-            let skipped = skipped.take_while(|line| line.is_empty() || line.starts_with('#')).count();
-            position.line() + skipped as u64
-        });
-        records.push((line, record.iter().map(str::to_owned).collect()));
-    }
-    Ok(records)
-}
-
-fn numbers(header: &[String], columns: &[Column], fields: &[String]) -> Result<Vec<f64>, FieldProblem> {
-    let (found, expected) = (fields.len(), header.len());
+fn numbers(columns: &[Column], fields: &[&str], expected: usize) -> Result<Vec<f64>, FieldProblem> {
+    let found = fields.len();
     if found == 2 * expected {
         return Err(FieldProblem::DecimalCommas { found, expected });
     }
     if found != expected {
         return Err(FieldProblem::Count { found, expected });
     }
-    columns.iter().map(|column| number(column, fields.get(column.at).map_or("", String::as_str))).collect()
+    let value = |column: &Column| match column {
+        Column::Absent(value) => Ok(*value),
+        Column::Present { name, unit, at } => {
+            let value = number(name, fields.get(*at).copied().unwrap_or_default())?;
+            Ok(unit.map_or(value, |unit| unit.to_inner(value)))
+        }
+    };
+    columns.iter().map(value).collect()
 }
 
-fn number(column: &Column, text: &str) -> Result<f64, FieldProblem> {
-    let name = column.name.clone();
+fn number(column: &str, text: &str) -> Result<f64, FieldProblem> {
+    let name = || column.to_owned();
     let shown = || text.chars().take(24).collect::<String>();
     match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(column.unit.to_inner(value)),
-        Ok(_) => Err(FieldProblem::NotFinite { column: name, text: shown() }),
-        Err(_) if text.is_empty() => Err(FieldProblem::Blank { column: name }),
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err(FieldProblem::NotFinite { column: name(), text: shown() }),
+        Err(_) if text.is_empty() => Err(FieldProblem::Blank { column: name() }),
         Err(_) if text.replacen(',', ".", 1).parse::<f64>().is_ok() => {
-            Err(FieldProblem::DecimalComma { column: name, text: shown() })
+            Err(FieldProblem::DecimalComma { column: name(), text: shown() })
         }
-        Err(_) => Err(FieldProblem::Text { column: name, text: shown() }),
+        Err(_) => Err(FieldProblem::Text { column: name(), text: shown() }),
     }
 }
 
-/// A last line that has no line end and too little in it: fields missing, or fewer decimals than all the others have.
-fn cut_short(text: &str, header: &[String], records: &[Record]) -> Option<LineProblem> {
-    let ((line, last), before) = records.split_last()?;
-    if text.ends_with(['\n', '\r']) {
-        return None;
+/// How many decimals the lines so far end with.
+#[derive(Default)]
+struct Decimals {
+    lines: usize,
+    usual: usize,
+    differ: bool,
+}
+
+impl Decimals {
+    /// A last line that has no line end and too little in it: fields missing, or fewer decimals than all the others have.
+    fn cut_short(&mut self, record: &Record, header: &[String]) -> Option<FieldProblem> {
+        let last = record.fields.last()?;
+        let decimals = last.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        if record.ended || self.lines == 0 {
+            if self.lines == 0 {
+                self.usual = decimals;
+            }
+            self.lines += 1;
+            self.differ |= decimals != self.usual;
+            return None;
+        }
+        let steady = self.lines >= STEADY && !self.differ;
+        let short = record.fields.len() < header.len() || last.is_empty() || steady && decimals < self.usual;
+        let column = header.get(record.fields.len() - 1).filter(|_| short)?.clone();
+        Some(FieldProblem::CutShort { column })
     }
-    let decimals =
-        |fields: &[String]| fields.last().and_then(|field| field.split_once('.')).map_or(0, |(_, d)| d.len());
-    let usual = before.first().map(|(_, fields)| decimals(fields))?;
-    let steady = before.len() >= STEADY && before.iter().all(|(_, fields)| decimals(fields) == usual);
-    let blank = last.last().is_some_and(String::is_empty);
-    let short = last.len() < header.len() || blank || steady && decimals(last) < usual;
-    let column = header.get(last.len().checked_sub(1)?)?.clone();
-    short.then_some(LineProblem { line: *line, problem: FieldProblem::CutShort { column } })
 }

@@ -12,13 +12,16 @@ mod columns;
 mod error;
 mod lines;
 mod radius;
+mod records;
 mod sweep;
 mod table;
 mod truth;
 mod unit;
 
 pub use atomic::{WriteError, WriteProblem, write_atomically};
-pub use error::{FieldProblem, FileError, HeaderProblem, LineProblem, Problem, Separator};
+pub(crate) use columns::Wanted;
+pub use error::{FieldProblem, FileError, FileProblem, HeaderProblem, LineProblem, Need, Separator};
+pub(crate) use lines::Lines;
 pub use radius::{Radius, RadiusError};
 pub use sweep::{Sample, Sweep};
 pub use table::{Known, KnownAtSamples, Table};

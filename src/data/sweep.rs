@@ -5,11 +5,11 @@ use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use super::atomic::{WriteError, write_columns};
-use super::columns::Wanted;
-use super::error::{FieldProblem, FileError, LineProblem, Need, Problem};
-use super::lines::{self, Lines};
+use super::columns::{SWEEP, Wanted, deviation};
+use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
+use super::lines::Lines;
 use super::radius::Radius;
-use super::unit::{Dimension, Role, Unit};
+use super::unit::{Dimension, Unit};
 
 /// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
 const BEYOND_STROKE_MM: f64 = 2.0;
@@ -63,21 +63,22 @@ impl Sweep {
         radius: Radius,
         least: usize,
     ) -> Result<Self, FileError> {
-        let length = |name| Wanted { name, role: Role::Deviation(Dimension::Length) };
-        let wanted: Vec<Wanted> = [Wanted { name: angle, role: Role::Sweep }, length(reading)]
+        let length = |name| Wanted::new(name, deviation(Dimension::Length));
+        let wanted: Vec<Wanted> = [Wanted::new(angle, SWEEP), length(reading)]
             .into_iter()
             .chain(others.iter().map(|name| length(name)))
             .collect();
-        let Lines { columns, lines } = lines::read(file, &wanted)?;
+        let lines = Lines::open(file, &wanted)?;
+        let mut names = lines.columns().iter().map(|column| column.name().to_owned());
+        let names = [names.next(), names.next()].map(Option::unwrap_or_default);
         let samples: Vec<Sample> = lines
+            .all()?
             .iter()
             .filter_map(|line| match line.values.as_slice() {
                 [angle, reading, ..] => Some(Sample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
                 _ => None,
             })
             .collect();
-        let mut names = columns.into_iter().map(|column| column.name);
-        let names = [names.next(), names.next()].map(Option::unwrap_or_default);
         match check(&samples, radius, least, names) {
             Some(problem) => Err(FileError { file: file.to_owned(), problem }),
             None => Ok(Self { file: file.to_owned(), samples }),
@@ -115,15 +116,15 @@ impl Sweep {
     /// [`WriteError`] where the file cannot be written, a value is not finite, or a unit is not one of those named.
     pub fn write(&self, angle: &str, angle_unit: Unit, length_unit: Unit) -> Result<(), WriteError> {
         let columns = [
-            (Wanted { name: angle, role: Role::Sweep }, angle_unit),
-            (Wanted { name: READING, role: Role::Deviation(Dimension::Length) }, length_unit),
+            (Wanted::new(angle, SWEEP), angle_unit),
+            (Wanted::new(READING, deviation(Dimension::Length)), length_unit),
         ];
         let lines = self.samples.iter().map(|sample| vec![sample.angle_rad, sample.reading_mm]);
         write_columns(&self.file, &columns, lines)
     }
 }
 
-fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [String; 2]) -> Option<Problem> {
+fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [String; 2]) -> Option<FileProblem> {
     let mut seen = HashMap::new();
     let mut bad = Vec::new();
     for Sample { angle_rad, line, .. } in samples {
@@ -137,14 +138,14 @@ fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [St
         }
     }
     if !bad.is_empty() {
-        return Some(Problem::Lines(bad));
+        return Some(FileProblem::Lines(bad));
     }
     let angle_rad = samples.iter().map(|sample| sample.angle_rad.abs()).fold(0.0, f64::max);
     if angle_rad > MOST_TURNS * TAU {
-        return Some(Problem::ManyTurns { angle_rad, most: MOST_TURNS, column: angle });
+        return Some(FileProblem::ManyTurns { angle_rad, most: MOST_TURNS, column: angle });
     }
     if samples.len() < least {
-        return Some(Problem::TooFew { present: samples.len(), needed: least, why: Need::Coefficients });
+        return Some(FileProblem::TooFew { present: samples.len(), needed: least, why: Need::Coefficients });
     }
     let median_mm = median(samples.iter().map(|sample| sample.reading_mm.abs()).collect())?;
     if median_mm <= BEYOND_STROKE_MM {
@@ -152,11 +153,11 @@ fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [St
             LineProblem { line: sample.line, problem: FieldProblem::BeyondStroke { reading_mm: sample.reading_mm } }
         });
         let stray: Vec<LineProblem> = stray.collect();
-        (!stray.is_empty()).then_some(Problem::Lines(stray))
+        (!stray.is_empty()).then_some(FileProblem::Lines(stray))
     } else if (median_mm - radius.mm()).abs() <= BEYOND_STROKE_MM.max(radius.mm() / 100.0) {
-        Some(Problem::AbsoluteLengths { median_mm, near_mm: median_mm.round(), radius_mm: radius.mm() })
+        Some(FileProblem::AbsoluteLengths { median_mm, near_mm: median_mm.round(), radius_mm: radius.mm() })
     } else {
-        Some(Problem::BeyondStroke { median_mm, column: reading, radius_mm: radius.mm() })
+        Some(FileProblem::BeyondStroke { median_mm, column: reading, radius_mm: radius.mm() })
     }
 }
 

@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use super::atomic::{WriteError, write_columns};
-use super::columns::Wanted;
-use super::error::{FieldProblem, FileError, LineProblem, Need, Problem};
-use super::lines::{self, Lines};
+use super::columns::{SWEEP, Wanted, deviation};
+use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
+use super::lines::Lines;
 use super::sweep::Sweep;
-use super::unit::{Dimension, Role, Unit};
+use super::unit::Dimension;
 
 /// Fewest steps of a table taken as going round.
 const STEPS_OF_A_TURN: usize = 12;
@@ -64,8 +64,8 @@ impl Table {
     /// [`FileError`] where the file cannot be read or is no such file, an angle has two values, or there are fewer than
     /// two angles.
     pub fn read(file: &Path, angle: &str, functions: &[Known]) -> Result<Self, FileError> {
-        let Lines { lines, .. } = lines::read(file, &wanted(angle, functions))?;
-        let mut nodes: Vec<Node> = lines
+        let mut nodes: Vec<Node> = Lines::open(file, &wanted(angle, functions))?
+            .all()?
             .into_iter()
             .filter_map(|line| {
                 let (angle_rad, values) = line.values.split_first()?;
@@ -76,11 +76,11 @@ impl Table {
         let fail = |problem| FileError { file: file.to_owned(), problem };
         let bad = contradictions(&nodes, functions);
         if !bad.is_empty() {
-            return Err(fail(Problem::Lines(bad)));
+            return Err(fail(FileProblem::Lines(bad)));
         }
         nodes.dedup_by(|a, b| a.angle_rad == b.angle_rad);
         if nodes.len() < 2 {
-            return Err(fail(Problem::TooFew { present: nodes.len(), needed: 2, why: Need::Interpolation }));
+            return Err(fail(FileProblem::TooFew { present: nodes.len(), needed: 2, why: Need::Interpolation }));
         }
         let repeats = goes_round(&nodes);
         Ok(Self { file: file.to_owned(), functions: functions.to_vec(), nodes, repeats })
@@ -139,7 +139,7 @@ impl Table {
         if outside.is_empty() {
             return Ok(KnownAtSamples { functions: self.functions.clone(), values });
         }
-        let problem = Problem::OutsideTable { table: self.file.clone(), range: self.range_rad(), samples: outside };
+        let problem = FileProblem::OutsideTable { table: self.file.clone(), range: self.range_rad(), samples: outside };
         Err(FileError { file: sweep.file().to_owned(), problem })
     }
 
@@ -154,20 +154,16 @@ impl Table {
         functions: &[Known],
         lines: impl IntoIterator<Item = (f64, Vec<f64>)>,
     ) -> Result<(), WriteError> {
-        let usual = |wanted: Wanted| match wanted.role {
-            Role::Sweep => Unit::Deg,
-            Role::Deviation(Dimension::Length) => Unit::Um,
-            Role::Deviation(Dimension::Angle) => Unit::Urad,
-        };
-        let columns: Vec<_> = wanted(angle, functions).into_iter().map(|wanted| (wanted, usual(wanted))).collect();
+        let wanted = wanted(angle, functions);
+        let columns: Vec<_> = wanted.iter().filter_map(|wanted| Some((*wanted, *wanted.units.first()?))).collect();
         let lines = lines.into_iter().map(|(angle, values)| [vec![angle], values].concat());
         write_columns(file, &columns, lines)
     }
 }
 
 fn wanted<'a>(angle: &'a str, functions: &'a [Known]) -> Vec<Wanted<'a>> {
-    let known = functions.iter().map(|known| Wanted { name: &known.name, role: Role::Deviation(known.dimension) });
-    std::iter::once(Wanted { name: angle, role: Role::Sweep }).chain(known).collect()
+    let known = functions.iter().map(|known| Wanted::new(&known.name, deviation(known.dimension)));
+    std::iter::once(Wanted::new(angle, SWEEP)).chain(known).collect()
 }
 
 /// Neighbours at one angle with different values, in the file's order.

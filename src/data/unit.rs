@@ -11,15 +11,6 @@ pub enum Dimension {
     Angle,
 }
 
-/// What a column is of: the dimension, and whether it is a large angle (a sweep) or a small one (an error).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
-    /// The swept angle: degrees or radians.
-    Sweep,
-    /// An error motion or a reading of this dimension.
-    Deviation(Dimension),
-}
-
 /// A unit a column can be in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
@@ -33,17 +24,6 @@ pub enum Unit {
     Um,
     /// Millimetres, `_mm`.
     Mm,
-}
-
-impl Role {
-    /// The units such a column may be in, the usual one first.
-    pub(crate) fn units(self) -> &'static [Unit] {
-        match self {
-            Role::Sweep => &[Unit::Deg, Unit::Rad],
-            Role::Deviation(Dimension::Length) => &[Unit::Um, Unit::Mm],
-            Role::Deviation(Dimension::Angle) => &[Unit::Urad, Unit::Rad],
-        }
-    }
 }
 
 impl Unit {

@@ -5,24 +5,28 @@
 //! (the tool's at home) unless a name says base.
 
 mod compensation;
+mod input;
 mod machine;
 mod nc;
+mod offset;
 mod paper;
 mod pictures;
 mod plan;
 mod ring;
 mod simulate;
-mod table;
+mod solved;
 
 pub use compensation::{Compensation, CompensationError};
+pub use input::InputError;
 pub use machine::{BUILT_IN, MachineFileError, read_machine};
 pub use nc::{NcError, ring_program};
+pub use offset::{Gauge, OffsetReport, ReversalReport, offset_report};
 pub use paper::{ExperimentError, Experiments, OffsetRow, RING_CENTRES, experiments};
 pub use pictures::{PictureError, drm_map, machine_picture, quintic_picture, ring_picture};
 pub use plan::{Feature, PlanError, PlannedTouch, plan};
-pub use ring::{RingError, RingReport, ring_report};
+pub use ring::{RingError, RingReport, ring_report, ring_report_of};
 pub use simulate::{Probe, SimulatedTouch, simulate};
-pub use table::{Problem, Row, TableError, read_rows, rows};
+pub use solved::{Coordinates, Solved, forward, inverse};
 
 use trunnion_solver::exechon::{KinematicsError, Machine, Pose, RotationError, Target, TargetError, Tilted};
 

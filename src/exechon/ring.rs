@@ -1,6 +1,8 @@
 //! A ring test: corrected points, circles, roundness, spread.
 
+use super::input::{InputError, touches};
 use super::{ALONG, PointError, rotation_at};
+use std::path::Path;
 use trunnion_solver::circle::{CircleError, CircleFit, Zone, least_squares, minimum_zone};
 use trunnion_solver::exechon::Machine;
 use trunnion_solver::probe::ball;
@@ -63,6 +65,27 @@ pub fn ring_report(
     let deviations: Vec<_> = balls.iter().map(polar).collect();
     let spread = spread(&deviations, step);
     Ok(RingReport { deviations, fit, zone, spread })
+}
+
+/// As [`ring_report`] from a file of touches (`x_mm,y_mm,z_mm` and perhaps `spindle_deg`, else 0).
+///
+/// # Errors
+/// [`InputError`].
+pub fn ring_report_of(
+    machine: &Machine<f64>,
+    file: &Path,
+    offset: Option<[f64; 2]>,
+    step: f64,
+) -> Result<RingReport, InputError> {
+    let touches = touches(file, Some(0.0), 1)?;
+    let points: Vec<_> = touches.iter().map(|touch| (touch.position, touch.spindle)).collect();
+    ring_report(machine, &points, offset, step).map_err(|error| {
+        let file = file.to_owned();
+        match error {
+            RingError::Circle(problem) => InputError::Circle { file, problem },
+            RingError::Point(at, problem) => InputError::Point { file, line: touches[at].line, problem },
+        }
+    })
 }
 
 /// Repeats at each place.

@@ -2,9 +2,9 @@
 
 use super::draw::Limits;
 use super::setup::{Setup, SetupError};
-use trunnion_codegen::algebra::{Monomial, Order};
+use trunnion_codegen::algebra::{Monomial, Nominal, Order};
 use trunnion_codegen::emit::model::poly;
-use trunnion_codegen::graph::{Graph, Tape};
+use trunnion_codegen::graph::{Graph, Symbol, Tape};
 use trunnion_codegen::identify::DeriveError;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::measurement::reading;
@@ -46,9 +46,10 @@ impl SecondOrder {
         let terms = second.by_errors();
         let mut graph = Graph::new();
         let outputs: Vec<_> = terms.iter().map(|(_, p)| poly(&mut graph, &model.alphabet, p)).collect();
-        let names: Vec<&str> =
-            model.alphabet.constants().chain([model.alphabet.sweep_name(model.runs[run].sweep)]).collect();
-        let tape = Tape::new(&graph.lower(&names, &outputs)?);
+        let lengths = model.alphabet.nominals().filter(|(_, n)| matches!(n, Nominal::Constant(_))).map(|(id, _)| id);
+        let [sweep, ..] = model.alphabet.sweep_symbols(model.runs[run].sweep);
+        let symbols: Vec<Symbol> = lengths.chain([sweep]).map(Symbol::Nominal).collect();
+        let tape = Tape::new(&graph.lower(&symbols, &outputs)?);
         let inputs = model.alphabet.constants().map(|n| setup.constant(n)).chain([0.0]).collect();
         Ok(Self { products: terms.into_iter().map(|(errors, _)| errors).collect(), tape, inputs })
     }

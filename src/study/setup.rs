@@ -32,12 +32,12 @@ pub enum SetupError {
     /// A value for a constant that the model does not have.
     NotAConstant(String),
     /// A generated row depends on something that is neither constant nor sweep: a defect of the derivation.
-    Unbound(String),
+    Unbound(Unbound),
 }
 
 impl From<Unbound> for SetupError {
     fn from(e: Unbound) -> Self {
-        Self::Unbound(e.name)
+        Self::Unbound(e)
     }
 }
 

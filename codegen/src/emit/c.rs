@@ -2,8 +2,9 @@
 
 use crate::graph::Constant;
 
-use super::code::{Dialect, Writer, decimal};
-use super::function::{Function, Shape};
+use super::function::{Form, Function};
+use super::infix::{Dialect, Infix, decimal};
+use super::layout::listed;
 use super::names::{Names, Rules};
 
 /// The floating-point type of a generated function.
@@ -22,39 +23,40 @@ pub const INCLUDES: &str = "#include <math.h>\n";
 /// A function of one output calls it `out`. C has no empty arrays: an output without elements is left out.
 #[must_use]
 pub fn function(function: &Function, real: Real) -> String {
-    let names = Names::new(function, RULES);
-    let writer = Writer { program: &function.program, names: &names, dialect: real };
+    let names = Names::new(function, &identifier(&function.name), RULES);
+    let writer = Infix { program: &function.program, names: &names, dialect: real };
     let kind = real.name();
     let mut text = String::from("/*\n");
-    for line in function.documentation() {
+    for line in function.documentation(&names.inputs) {
         text += format!(" * {}", line.replace("*/", "* /").replace("/*", "/ *")).trim_end();
         text.push('\n');
     }
     text += " */\n";
     let inputs = names.inputs.iter().map(|name| format!("{kind} {name}"));
-    let results = names.outputs.iter().zip(&function.results).filter(|(_, (_, shape))| shape.len() > 0);
-    let results = results.map(|(name, (_, shape))| match shape {
-        Shape::Scalar => format!("{kind} *{name}"),
-        Shape::Array(n) => format!("{kind} {name}[{n}]"),
-        Shape::Matrix(rows, columns) => format!("{kind} {name}[{rows}][{columns}]"),
+    let results = names.outputs.iter().zip(&function.results).filter(|(_, (_, form))| form.len() > 0);
+    let results = results.map(|(name, (_, form))| match form {
+        Form::Scalar => format!("{kind} *{name}"),
+        Form::Array(n) => format!("{kind} {name}[{n}]"),
+        Form::Matrix(rows, columns) => format!("{kind} {name}[{rows}][{columns}]"),
     });
     let mut parameters: Vec<_> = inputs.chain(results).collect();
     if parameters.is_empty() {
         parameters.push("void".to_owned());
     }
-    text += &format!("void {}({})\n{{\n", names.function, parameters.join(", "));
+    text += &listed(&format!("void {}(", names.function), &parameters, ")\n{\n", 4);
     for (at, _) in function.program.temporaries() {
         if let Some(name) = &names.steps[at] {
-            text += &format!("    const {kind} {name} = {};\n", writer.step(at));
+            text += &writer.assigned(&format!("    const {kind} {name}"), &writer.step(at), ["", ""], ";");
         }
     }
-    let unused = function.unused().map(|at| format!("    (void){};\n", names.inputs[at]));
-    text.extend(unused);
-    let places = names.outputs.iter().zip(&function.results).flat_map(|(name, (_, shape))| places(name, *shape));
+    let unused = names.inputs.iter().zip(function.used()).filter(|(_, used)| !used);
+    text.extend(unused.map(|(name, _)| format!("    (void){name};\n")));
+    let places = names.outputs.iter().zip(&function.results).flat_map(|(name, (_, form))| places(name, *form));
     let outputs = function.program.outputs().iter().zip(&function.elements);
     for (place, (&value, element)) in places.zip(outputs) {
         let comment = element.replace("*/", "* /").replace("/*", "/ *");
-        text += &format!("    {place} = {}; /* {comment} */\n", writer.value(value));
+        let end = if place == comment { ";".to_owned() } else { format!("; /* {comment} */") };
+        text += &writer.assigned(&format!("    {place}"), &writer.value(value), ["", ""], &end);
     }
     text += "}\n";
     text
@@ -62,7 +64,7 @@ pub fn function(function: &Function, real: Real) -> String {
 
 /// The names of a printed function's inputs.
 pub(super) fn inputs(function: &Function) -> Vec<String> {
-    Names::new(function, RULES).inputs
+    Names::new(function, &identifier(&function.name), RULES).inputs
 }
 
 /// A name as C allows it.
@@ -71,11 +73,11 @@ pub(super) fn identifier(wanted: &str) -> String {
     if RESERVED.contains(&name.as_str()) { name + "_" } else { name }
 }
 
-fn places(name: &str, shape: Shape) -> Vec<String> {
-    match shape {
-        Shape::Scalar => vec![format!("*{name}")],
-        Shape::Array(n) => (0..n).map(|i| format!("{name}[{i}]")).collect(),
-        Shape::Matrix(rows, columns) => {
+fn places(name: &str, form: Form) -> Vec<String> {
+    match form {
+        Form::Scalar => vec![format!("*{name}")],
+        Form::Array(n) => (0..n).map(|i| format!("{name}[{i}]")).collect(),
+        Form::Matrix(rows, columns) => {
             (0..rows).flat_map(|r| (0..columns).map(move |c| format!("{name}[{r}][{c}]"))).collect()
         }
     }

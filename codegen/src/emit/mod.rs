@@ -6,10 +6,11 @@
 
 pub mod c;
 pub mod c99;
-mod code;
 pub mod equations;
 mod function;
 mod header;
+mod infix;
+mod layout;
 pub mod model;
 mod names;
 pub mod numpy;
@@ -17,5 +18,5 @@ pub mod rust;
 #[cfg(test)]
 mod tests;
 
-pub use function::{Function, Output};
+pub use function::{Function, Input, Output};
 pub use header::header;

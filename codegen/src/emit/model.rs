@@ -1,28 +1,34 @@
 //! A derivation as functions to compile or to evaluate: one per run, one per estimated function.
 
-use super::function::{Function, Output};
-use super::{header, numpy, rust};
-use crate::algebra::{Alphabet, Fraction, Nominal, Poly, SweepId};
+use super::function::{Function, Input, Output};
+use crate::algebra::{Alphabet, Fraction, Nominal, NominalId, Poly, Quantity};
 use crate::basis::Basis;
-use crate::graph::{Graph, Id, Unbound};
-use crate::identify::{Derivation, DerivedRun};
-use crate::ids::{FunctionId, RunId};
-use crate::model::Model;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote;
+use crate::graph::{Graph, Id, Symbol, Unbound};
+use crate::identify::{Coefficient, Derivation};
+use crate::ids::{BaseId, FunctionId, RunId, TermId};
+use crate::model::{AxisKind, Model, ReadingKind};
 
-/// What one run's samples become: inputs are the constants and the sweep, outputs the regressors in the order of
+/// What one run's samples become: inputs are the lengths of the set-up and the sweep, outputs the regressors in the order of
 /// [`crate::identify::DerivedRun::regressors`], then the coefficients of the known functions.
+///
+/// # Errors
+/// A regressor depends on anything else: a defect of the derivation.
 pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Function, Unbound> {
     let derived = &derivation.runs[run];
-    let sweep = model.runs[run].sweep;
+    let alphabet = &model.alphabet;
     let mut graph = Graph::new();
-    let inputs = inputs(model, model.alphabet.sweep_name(sweep));
-    let names: Vec<&str> = derived.regressors.iter().map(|(b, _)| derivation.base[*b].name.as_str()).collect();
-    let lowered = derived.regressors.iter().map(|(_, r)| fraction(&mut graph, &model.alphabet, r)).collect::<Vec<_>>();
-    let mut outputs = vec![Output::array("regressors", &names.into_iter().zip(lowered).collect::<Vec<_>>())];
-    let known: Vec<(String, Id)> =
-        derived.known.iter().map(|(f, p)| (known_name(model, *f), poly(&mut graph, &model.alphabet, p))).collect();
+    let sweep = model.runs[run].sweep;
+    let mut inputs = lengths(model);
+    let symbol = Symbol::Nominal(alphabet.sweep_symbols(sweep)[0]);
+    inputs.push(Input::new(symbol, alphabet.sweep_name(sweep), "the sweep, rad"));
+    let names = derived.regressors.iter().map(|(b, _)| derivation.base[*b].name.as_str());
+    let lowered = derived.regressors.iter().map(|(_, r)| fraction(&mut graph, alphabet, r)).collect::<Vec<_>>();
+    let mut outputs = vec![Output::array("regressors", &names.zip(lowered).collect::<Vec<_>>())];
+    let known: Vec<(&str, Id)> = derived
+        .known
+        .iter()
+        .map(|(f, p)| (alphabet.error_name(model.functions[*f].error), poly(&mut graph, alphabet, p)))
+        .collect();
     if !known.is_empty() {
         outputs.push(Output::array("known", &known));
     }
@@ -31,17 +37,48 @@ pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Functio
         "Regressors of the base parameters that run `{}` sees, mm per unit of the parameter{end}",
         derived.name
     );
-    Function::new(&graph, &derived.name, &[&doc], &borrowed(&inputs), &outputs)
+    Function::new(&graph, &derived.name, &[&doc], inputs, &outputs)
 }
 
-/// The basis of an estimated function at a coordinate (mm or rad); `None` if it has none.
-pub fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unbound>> {
+/// An estimated function, to be evaluated from an estimate.
+#[derive(Clone, Debug)]
+pub struct EstimatedFunction {
+    /// Which it is.
+    pub function: FunctionId,
+    /// Its basis at a coordinate: inputs are the lengths of the set-up and the coordinate, mm or rad.
+    pub basis: Function,
+    /// The base parameters that are the coefficients, in the order of the basis; `None` where a coefficient is not among
+    /// them, so that what is estimated gives no value.
+    pub coefficients: Option<Vec<BaseId>>,
+}
+
+/// The estimated functions of a model.
+///
+/// # Errors
+/// A basis depends on a symbol other than a length or the coordinate: a defect of the description.
+pub fn estimated(model: &Model, derivation: &Derivation) -> Result<Vec<EstimatedFunction>, Unbound> {
+    let functions = model.functions.keys().filter(|id| model.functions[*id].estimate);
+    let one = |function: FunctionId| {
+        let carries = |term: TermId| {
+            let own = Some(Coefficient { function, term });
+            derivation.base.position(|b| b.estimates == own)
+        };
+        Some(basis(model, function)?.map(|basis| {
+            let coefficients = (0..basis.elements.len()).map(|k| carries(TermId::from(k))).collect();
+            EstimatedFunction { function, basis, coefficients }
+        }))
+    };
+    functions.filter_map(one).collect()
+}
+
+/// The basis of an estimated function at a coordinate; `None` if it has none.
+fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unbound>> {
     let f = &model.functions[function];
     let name = model.alphabet.error_name(f.error);
     let (axis, _) = model.axis_of(f.error)?;
-    let coordinate = model.axis(axis)?.name.to_lowercase();
+    let axis = model.axis(axis)?;
     let mut graph = Graph::new();
-    let x = graph.symbol(&coordinate);
+    let x = graph.symbol(Symbol::Coordinate);
     let values: Vec<Id> = match &f.basis {
         Basis::Zero | Basis::Known => return None,
         Basis::Polynomials(functions) => functions
@@ -65,86 +102,51 @@ pub fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unb
             })
             .collect(),
     };
-    let names: Vec<String> = f.basis.suffixes().into_iter().map(|s| format!("{name}{s}")).collect();
+    let unit = if axis.kind == AxisKind::Rotary { "rad" } else { "mm" };
+    let mut inputs = lengths(model);
+    let meaning = format!("coordinate of axis {}, {unit}", axis.name);
+    inputs.push(Input::new(Symbol::Coordinate, &axis.name.to_lowercase(), &meaning));
+    let names = f.basis.suffixes().into_iter().map(|s| format!("{name}{s}"));
+    let outputs = [Output::array("basis", &names.zip(values).collect::<Vec<_>>())];
     let doc = format!("Basis of the function `{name}`: its value is the sum of these times their coefficients.");
-    let outputs = [Output::array("basis", &names.iter().zip(values).collect::<Vec<_>>())];
-    let inputs = inputs(model, &coordinate);
-    Some(Function::new(&graph, name, &[&doc], &borrowed(&inputs), &outputs))
+    Some(Function::new(&graph, name, &[&doc], inputs, &outputs))
 }
 
 /// All functions of a model: the runs', then the estimated functions' bases.
-pub fn functions(model: &Model, derivation: &Derivation) -> Result<Vec<Function>, Unbound> {
-    let runs = derivation.runs.keys().map(|id| run(model, derivation, id));
-    let estimated = model.functions.keys().filter(|id| model.functions[*id].estimate).filter_map(|id| basis(model, id));
-    runs.chain(estimated).collect()
-}
-
-/// The model as a Rust module for `core` and `num-traits`: names, what each run sees, the functions.
-pub fn rust_source(model: &Model, derivation: &Derivation) -> Result<String, Unbound> {
-    Ok(header("//", &model.name) + &rust::pretty(rust_items(model, derivation, &quote!(num_traits))?))
-}
-
-/// The same as tokens, for a macro.
-pub fn rust_items(model: &Model, derivation: &Derivation, num_traits: &TokenStream) -> Result<TokenStream, Unbound> {
-    let names = derivation.base.iter().map(|b| b.name.as_str());
-    let count = Literal::usize_unsuffixed(derivation.base.len());
-    let runs = derivation.runs.iter().map(|r| {
-        let constant = Ident::new(&positions_name(&r.name), Span::call_site());
-        let doc = format!(" Positions in `NAMES` of the base parameters that run `{}` sees.", r.name);
-        let seen = r.regressors.iter().map(|(b, _)| Literal::usize_unsuffixed((*b).into()));
-        let n = Literal::usize_unsuffixed(r.regressors.len());
-        quote!(#[doc = #doc] pub const #constant: [usize; #n] = [#(#seen),*];)
-    });
-    let functions = functions(model, derivation)?;
-    let functions = functions.iter().map(|f| rust::item(f, num_traits));
-    Ok(quote! {
-        /// Names of the base parameters, the estimated functions' coefficients first.
-        pub const NAMES: [&str; #count] = [#(#names),*];
-        #(#runs)*
-        #(#functions)*
-    })
-}
-
-/// The model as a Python module on NumPy: names, what each run sees, the functions.
 ///
 /// # Errors
-/// As [`functions`].
-pub fn numpy_source(model: &Model, derivation: &Derivation) -> Result<String, Unbound> {
-    let quoted: Vec<String> = derivation.base.iter().map(|b| format!("\"{}\"", b.name)).collect();
-    let mut text = header("#", &model.name) + numpy::IMPORTS;
-    text += "\n# Names of the base parameters, the estimated functions' coefficients first.\n";
-    text += &format!("NAMES = [{}]\n", quoted.join(", "));
-    for run in &derivation.runs {
-        text += &format!("\n# Positions in NAMES of the base parameters that run `{}` sees.\n", run.name);
-        text += &format!("{} = [{}]\n", positions_name(&run.name), seen(run));
-    }
-    for function in functions(model, derivation)? {
-        text += "\n\n";
-        text += &numpy::function(&function);
-    }
-    Ok(text)
+/// As [`run`] and [`estimated`].
+pub fn functions(model: &Model, derivation: &Derivation) -> Result<Vec<Function>, Unbound> {
+    let runs = derivation.runs.keys().map(|id| run(model, derivation, id));
+    let mut functions = runs.collect::<Result<Vec<_>, _>>()?;
+    functions.extend(estimated(model, derivation)?.into_iter().map(|f| f.basis));
+    Ok(functions)
 }
 
-/// The constant that says what a run sees: `TILTING`.
-fn positions_name(run: &str) -> String {
-    run.to_uppercase().replace('-', "_")
+/// The lengths of the set-up as inputs.
+fn lengths(model: &Model) -> Vec<Input> {
+    let is_bar = |id: NominalId| model.runs.iter().any(|r| r.reading == ReadingKind::BarLength(id));
+    let input = |(id, nominal): (NominalId, &Nominal)| match nominal {
+        Nominal::Constant(name) if is_bar(id) => {
+            Some(Input::new(Symbol::Nominal(id), name, "nominal length of the bar, mm"))
+        }
+        Nominal::Constant(name) => Some(Input::new(Symbol::Nominal(id), name, "length of the set-up, mm")),
+        _ => None,
+    };
+    model.alphabet.nominals().filter_map(input).collect()
 }
 
-fn seen(run: &DerivedRun) -> String {
-    run.regressors.iter().map(|(b, _)| b.to_string()).collect::<Vec<_>>().join(", ")
+/// Unit of a quantity inside: `mm` or `rad`.
+pub(super) fn unit(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Length => "mm",
+        Quantity::Angle => "rad",
+    }
 }
 
 /// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`.
 pub fn known_name(model: &Model, function: FunctionId) -> String {
     model.alphabet.error_name(model.functions[function].error).replace('_', "")
-}
-
-fn inputs(model: &Model, last: &str) -> Vec<String> {
-    model.alphabet.constants().chain([last]).map(str::to_owned).collect()
-}
-
-fn borrowed(names: &[String]) -> Vec<&str> {
-    names.iter().map(String::as_str).collect()
 }
 
 fn fraction(graph: &mut Graph, alphabet: &Alphabet, f: &Fraction) -> Id {
@@ -163,9 +165,9 @@ pub fn poly(graph: &mut Graph, alphabet: &Alphabet, p: &Poly) -> Id {
     let mut terms = Vec::with_capacity(p.terms().len());
     for (m, c) in p.terms() {
         let mut factors = Vec::new();
-        for (id, nominal) in alphabet.nominals() {
+        for (id, _) in alphabet.nominals() {
             if m.exponent(id) != 0 {
-                factors.push((symbol(graph, alphabet, nominal), i32::from(m.exponent(id))));
+                factors.push((nominal(graph, alphabet, id), i32::from(m.exponent(id))));
             }
         }
         terms.push(graph.monomial(*c, &factors));
@@ -173,20 +175,19 @@ pub fn poly(graph: &mut Graph, alphabet: &Alphabet, p: &Poly) -> Id {
     graph.sum(&terms)
 }
 
-fn symbol(graph: &mut Graph, alphabet: &Alphabet, nominal: &Nominal) -> Id {
-    let sweep = |graph: &mut Graph, id: &SweepId| graph.symbol(alphabet.sweep_name(*id));
-    match nominal {
+fn nominal(graph: &mut Graph, alphabet: &Alphabet, id: NominalId) -> Id {
+    let mut sweep = |id| graph.symbol(Symbol::Nominal(alphabet.sweep_symbols(id)[0]));
+    match alphabet.nominal(id) {
         Nominal::Pi => Id::PI,
         Nominal::Root2 => Id::SQRT_2,
-        Nominal::Constant(name) => graph.symbol(name),
-        Nominal::Sweep(id) => sweep(graph, id),
-        Nominal::Sin(id) => {
-            let a = sweep(graph, id);
-            graph.sin(a)
+        Nominal::Constant(_) | Nominal::Sweep(_) => graph.symbol(Symbol::Nominal(id)),
+        Nominal::Sin(of) => {
+            let angle = sweep(*of);
+            graph.sin(angle)
         }
-        Nominal::Cos(id) => {
-            let a = sweep(graph, id);
-            graph.cos(a)
+        Nominal::Cos(of) => {
+            let angle = sweep(*of);
+            graph.cos(angle)
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Names that a language allows, no two alike.
+//! Names that a language allows, no two alike in one scope.
 
 use rustc_hash::FxHashSet;
 
@@ -6,13 +6,64 @@ use crate::graph::{Constant, Step, Value};
 
 use super::function::Function;
 
-/// What a language asks of a local name.
+/// What a language asks of a name.
 #[derive(Clone, Copy)]
 pub(super) struct Rules {
+    /// Names of functions, inputs and variables are written in lower case.
     pub lower_case: bool,
     /// Results are written to parameters; else each element is a variable.
     pub places: bool,
+    /// Words that are no names.
     pub reserved: &'static [&'static str],
+}
+
+impl Rules {
+    /// `wanted` as a name that the language could allow.
+    pub fn sanitised(self, wanted: &str) -> String {
+        let allowed = wanted.chars().map(|c| match c {
+            c if !c.is_ascii_alphanumeric() => '_',
+            c if self.lower_case => c.to_ascii_lowercase(),
+            c => c,
+        });
+        let name: String = allowed.collect();
+        // Leading underscores mean "unused" or "reserved" in the languages written here.
+        match name.trim_start_matches('_') {
+            "" => "x".to_owned(),
+            rest if rest.starts_with(|c: char| c.is_ascii_digit()) => format!("x{rest}"),
+            rest => rest.to_owned(),
+        }
+    }
+}
+
+/// Names that are taken in one scope.
+#[derive(Clone)]
+pub(super) struct Scope {
+    rules: Rules,
+    taken: FxHashSet<String>,
+}
+
+impl Scope {
+    /// A scope in which `taken` are names already.
+    pub fn new(rules: Rules, taken: &[&str]) -> Self {
+        Self { rules, taken: taken.iter().map(|&name| name.to_owned()).collect() }
+    }
+
+    /// `wanted` as the language allows it, or the next free name like it.
+    pub fn claim(&mut self, wanted: &str) -> String {
+        self.claim_as(&self.rules.sanitised(wanted))
+    }
+
+    /// `plain`, which is a name, or the next free name like it.
+    pub fn claim_as(&mut self, plain: &str) -> String {
+        let mut name = plain.to_owned();
+        let mut number = 2;
+        while self.rules.reserved.contains(&name.as_str()) || self.taken.contains(&name) {
+            name = format!("{plain}_{number}");
+            number += 1;
+        }
+        self.taken.insert(name.clone());
+        name
+    }
 }
 
 /// Names for everything in a function; steps that are no temporaries have none.
@@ -23,28 +74,31 @@ pub(super) struct Names {
     pub steps: Vec<Option<String>>,
     /// A name for each result where they are places, else for each element.
     pub outputs: Vec<String>,
+    /// A name for each result as a whole.
+    pub results: Vec<String>,
 }
 
 impl Names {
-    pub(super) fn new(function: &Function, rules: Rules) -> Self {
+    /// `called` is the function's own name in the scope around it.
+    pub fn new(function: &Function, called: &str, rules: Rules) -> Self {
         let program = &function.program;
-        let mut pool = Pool { rules, taken: FxHashSet::default() };
-        let function_name = pool.claim(&function.name);
-        let inputs: Vec<_> = program.inputs().iter().map(|input| pool.claim(input)).collect();
+        let mut scope = Scope::new(rules, &[called]);
+        let inputs: Vec<_> = function.inputs.iter().map(|input| scope.claim(&input.name)).collect();
         // What is returned keeps its name; temporaries make way.
         let outputs = match function.results.as_slice() {
-            _ if !rules.places => function.elements.iter().map(|element| pool.claim(element)).collect(),
-            [_] => vec![pool.claim("out")],
-            several => several.iter().map(|(name, _)| pool.claim(name)).collect(),
+            _ if !rules.places => function.elements.iter().map(|element| scope.claim(element)).collect(),
+            [_] => vec![scope.claim("out")],
+            several => several.iter().map(|(name, _)| scope.claim(name)).collect(),
         };
-        let constants = program.constants().iter().map(|constant| pool.claim(&constant_name(constant))).collect();
+        let constants = program.constants().iter().map(|constant| scope.claim(&constant_name(constant))).collect();
         let mut steps = vec![None; program.steps().len()];
         let mut numbers = 1..;
         for (at, step) in program.temporaries() {
             steps[at] = angle_name(step, &inputs).or_else(|| Some(format!("t{}", numbers.next()?)));
-            steps[at] = steps[at].as_deref().map(|name| pool.claim(name));
+            steps[at] = steps[at].as_deref().map(|name| scope.claim(name));
         }
-        Names { function: function_name, inputs, constants, steps, outputs }
+        let results = function.results.iter().map(|(result, _)| scope.claim(result)).collect();
+        Names { function: called.to_owned(), inputs, constants, steps, outputs, results }
     }
 }
 
@@ -67,42 +121,5 @@ fn angle_name(step: Step, inputs: &[String]) -> Option<String> {
     match angle {
         Value::Input(at) => Some(format!("{function}_{}", inputs.get(at as usize)?)),
         _ => Some(function.to_owned()),
-    }
-}
-
-struct Pool {
-    rules: Rules,
-    taken: FxHashSet<String>,
-}
-
-impl Pool {
-    /// `wanted` or the next free name like it.
-    fn claim(&mut self, wanted: &str) -> String {
-        let plain = self.rules.sanitised(wanted);
-        let mut name = plain.clone();
-        let mut number = 2;
-        while self.rules.reserved.contains(&name.as_str()) || self.taken.contains(&name) {
-            name = format!("{plain}_{number}");
-            number += 1;
-        }
-        self.taken.insert(name.clone());
-        name
-    }
-}
-
-impl Rules {
-    pub(super) fn sanitised(self, wanted: &str) -> String {
-        let allowed = wanted.chars().map(|c| match c {
-            c if !c.is_ascii_alphanumeric() => '_',
-            c if self.lower_case => c.to_ascii_lowercase(),
-            c => c,
-        });
-        let name: String = allowed.collect();
-        // Leading underscores mean "unused" or "reserved" in the languages written here.
-        match name.trim_start_matches('_') {
-            "" => "x".to_owned(),
-            rest if rest.starts_with(|c: char| c.is_ascii_digit()) => format!("x{rest}"),
-            rest => rest.to_owned(),
-        }
     }
 }

@@ -1,23 +1,62 @@
 //! Python with NumPy: inputs are numbers or arrays that broadcast together.
 
-use crate::graph::Constant;
+use crate::graph::{Constant, Unbound};
+use crate::identify::Derivation;
+use crate::model::Model;
 
-use super::code::{Dialect, Writer, decimal};
-use super::function::{Function, Shape};
-use super::names::{Names, Rules};
+use super::function::{Form, Function};
+use super::header::header;
+use super::infix::{Dialect, Infix, decimal};
+use super::layout::listed;
+use super::model::functions;
+use super::names::{Names, Rules, Scope};
 
 /// `import numpy as np`, which the functions of a file need once.
 pub const IMPORTS: &str = "import numpy as np\n";
+
+const RULES: Rules = Rules { lower_case: false, places: false, reserved: RESERVED };
+
+/// A long expression's.
+const BRACKETS: [&str; 2] = [" (", "\n    )"];
+
+/// A model as a Python module: names, what each run sees, the functions.
+///
+/// # Errors
+/// As [`functions`].
+pub fn model_source(model: &Model, derivation: &Derivation) -> Result<String, Unbound> {
+    let functions = functions(model, derivation)?;
+    let mut scope = Scope::new(RULES, &["NAMES"]);
+    let called: Vec<String> = functions.iter().map(|f| scope.claim(&f.name)).collect();
+    let quoted: Vec<String> = derivation.base.iter().map(|base| format!("\"{}\"", base.name)).collect();
+    let mut text = header("#", &model.name) + IMPORTS;
+    text += "\n# Names of the base parameters, the estimated functions' coefficients first.\n";
+    text += &listed("NAMES = [", &quoted, "]\n", 4);
+    for run in &derivation.runs {
+        let seen: Vec<String> = run.regressors.iter().map(|(b, _)| b.to_string()).collect();
+        let list = scope.claim_as(&RULES.sanitised(&run.name).to_uppercase());
+        text += &format!("\n# Positions in NAMES of the base parameters that run `{}` sees.\n", run.name);
+        text += &listed(&format!("{list} = ["), &seen, "]\n", 4);
+    }
+    for (function, called) in functions.iter().zip(&called) {
+        text += "\n\n";
+        text += &function_as(function, called);
+    }
+    Ok(text)
+}
 
 /// `def name(R, a)`. A scalar output has the inputs' shape; an array or matrix has its own axes before those. Several
 /// outputs are returned as a tuple.
 #[must_use]
 pub fn function(function: &Function) -> String {
-    let names = Names::new(function, Rules { lower_case: false, places: false, reserved: RESERVED });
-    let writer = Writer { program: &function.program, names: &names, dialect: NumPy };
+    function_as(function, &Scope::new(RULES, &[]).claim(&function.name))
+}
+
+fn function_as(function: &Function, called: &str) -> String {
+    let names = Names::new(function, called, RULES);
+    let writer = Infix { program: &function.program, names: &names, dialect: NumPy };
     let mut text = format!("def {}({}):\n", names.function, names.inputs.join(", "));
     text += "    \"\"\"";
-    for (at, line) in function.documentation().enumerate() {
+    for (at, line) in function.documentation(&names.inputs).into_iter().enumerate() {
         let line = line.replace('\\', "\\\\").replace('"', "'");
         text += if at > 0 && !line.is_empty() { "    " } else { "" };
         text += &line;
@@ -26,33 +65,34 @@ pub fn function(function: &Function) -> String {
     text += "    \"\"\"\n";
     for (at, _) in function.program.temporaries() {
         if let Some(name) = &names.steps[at] {
-            text += &format!("    {name} = {}\n", writer.step(at));
+            text += &writer.assigned(&format!("    {name}"), &writer.step(at), BRACKETS, "");
         }
     }
     for (name, &value) in names.outputs.iter().zip(function.program.outputs()) {
-        text += &format!("    {name} = {}\n", writer.value(value));
+        text += &writer.assigned(&format!("    {name}"), &writer.value(value), BRACKETS, "");
     }
-    if function.results.iter().any(|(_, shape)| *shape != Shape::Scalar) {
+    if function.results.iter().any(|(_, form)| *form != Form::Scalar) {
         let shapes: Vec<_> = names.inputs.iter().map(|input| format!("np.shape({input})")).collect();
-        text += &format!("    shape = np.broadcast_shapes({})\n", shapes.join(", "));
+        text += &listed("    shape = np.broadcast_shapes(", &shapes, ")\n", 8);
     }
     let mut elements = names.outputs.iter();
-    let results: Vec<String> = function
-        .results
-        .iter()
-        .map(|(_, shape)| {
-            let own: String = elements.by_ref().take(shape.len()).map(|name| format!("{name}, ")).collect();
-            // An element that is constant takes the inputs' shape too.
-            let stack = format!("np.array([np.broadcast_to(k, shape) for k in ({})])", own.trim_end());
-            match shape {
-                Shape::Scalar => own.trim_end_matches(", ").to_owned(),
-                Shape::Array(n) => format!("{stack}.reshape({n}, *shape)"),
-                Shape::Matrix(rows, columns) => {
-                    format!("{stack}.reshape({rows}, {columns}, *shape)")
-                }
+    let mut results = Vec::new();
+    for (name, (_, form)) in names.results.iter().zip(&function.results) {
+        let own: Vec<String> = elements.by_ref().take(form.len()).cloned().collect();
+        let sizes = match form {
+            Form::Scalar => {
+                results.push(own.concat());
+                continue;
             }
-        })
-        .collect();
+            Form::Array(n) => n.to_string(),
+            Form::Matrix(rows, columns) => format!("{rows}, {columns}"),
+        };
+        text += &listed(&format!("    {name} = ["), &own, "]\n", 8);
+        // An element that is constant takes the inputs' shape too.
+        text +=
+            &format!("    {name} = np.array([np.broadcast_to(k, shape) for k in {name}]).reshape({sizes}, *shape)\n");
+        results.push(name.clone());
+    }
     text += &format!("    return {}\n", results.join(", "));
     text
 }
@@ -73,6 +113,8 @@ impl Dialect for NumPy {
     }
 }
 
+/// Keywords, and what a printed module uses itself.
+#[rustfmt::skip]
 const RESERVED: &[&str] = &[
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
     "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",

@@ -2,13 +2,13 @@
 
 use insta::assert_snapshot;
 
-use super::{Function, Output, c, numpy, rust};
-use crate::graph::{Graph, Id, Rational};
+use super::{Function, Input, Output, c, numpy, rust};
+use crate::graph::{Graph, Id, Rational, Symbol};
 
 /// Names that collide with each other, with keywords and with what printers use themselves.
 fn awkward() -> Function {
     let mut g = Graph::new();
-    let [upper, lower, keyword, np, empty, digit] = ["R", "r", "for", "np", "δ", "2nd"].map(|name| g.symbol(name));
+    let [upper, lower, keyword, np, empty, digit] = g.inputs();
     let sin = g.sin(upper);
     let product = g.monomial(Rational::new(1, 3), &[(sin, 2), (lower, 1), (keyword, -1)]);
     let sum = g.sum(&[np, empty, digit, Id::PI, product]);
@@ -17,7 +17,7 @@ fn awkward() -> Function {
         &g,
         "sin",
         &["Tries names. */ \"\"\" \\"],
-        &["R", "r", "for", "np", "δ", "2nd", "unused"],
+        Input::all(&["R", "r", "for", "np", "δ", "2nd", "unused"]),
         &[
             Output::scalar("t", sum),
             Output::array("out", &[("r", product), ("t", negative)]),
@@ -30,7 +30,7 @@ fn awkward() -> Function {
 #[test]
 fn awkward_names() {
     let f = awkward();
-    let rust = rust::source(std::slice::from_ref(&f), "a\ntest");
+    let rust = rust::source(std::slice::from_ref(&f), "a\ntest", &rust::Support::of_solver());
     assert_snapshot!([rust, c::function(&f, c::Real::Float), numpy::function(&f)].join("\n"));
 }
 
@@ -38,10 +38,10 @@ fn awkward_names() {
 fn long_sums_are_cut_into_lines() {
     let mut g = Graph::new();
     let names: Vec<String> = (0..20_000).map(|i| format!("x{i}")).collect();
-    let symbols: Vec<Id> = names.iter().map(|name| g.symbol(name)).collect();
+    let symbols: Vec<Id> = (0..20_000).map(|at| g.symbol(Symbol::Input(at))).collect();
     let sum = g.sum(&symbols);
     let inputs: Vec<&str> = names.iter().map(String::as_str).collect();
-    let f = Function::new(&g, "long", &[], &inputs, &[Output::scalar("sum", sum)]).unwrap();
+    let f = Function::new(&g, "long", &[], Input::all(&inputs), &[Output::scalar("sum", sum)]).unwrap();
     let longest = c::function(&f, c::Real::Double).lines().skip(4).map(str::len).max();
     assert!(longest.is_some_and(|longest| longest < 300), "{longest:?}");
 }

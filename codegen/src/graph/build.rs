@@ -14,13 +14,12 @@ use super::rational::{self, Rational};
 #[derive(Clone, Debug)]
 pub struct Graph {
     nodes: IndexSet<Node, FxBuildHasher>,
-    names: IndexSet<Box<str>, FxBuildHasher>,
 }
 
 impl Default for Graph {
     fn default() -> Self {
         let named = [Node::Rational(Rational::zero()), Node::Rational(Rational::one()), Node::Pi, Node::Sqrt2];
-        Graph { nodes: named.into_iter().collect(), names: IndexSet::default() }
+        Graph { nodes: named.into_iter().collect() }
     }
 }
 
@@ -35,12 +34,6 @@ impl Graph {
     #[must_use]
     pub fn node(&self, id: Id) -> &Node {
         &self.nodes[id.index()]
-    }
-
-    /// A symbol's name.
-    #[must_use]
-    pub fn name(&self, symbol: Symbol) -> &str {
-        &self.names[symbol.0 as usize]
     }
 
     /// For each node up to the last of `outputs`, whether an output is made of it.
@@ -64,13 +57,14 @@ impl Graph {
         Id(self.nodes.insert_full(node).0 as u32)
     }
 
-    /// The variable called `name`. Symbols made first are printed first.
-    pub fn symbol(&mut self, name: &str) -> Id {
-        let index = match self.names.get_index_of(name) {
-            Some(index) => index,
-            None => self.names.insert_full(name.into()).0,
-        };
-        self.intern(Node::Symbol(Symbol(index as u32)))
+    /// A variable. What is made first is printed first.
+    pub fn symbol(&mut self, symbol: Symbol) -> Id {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// The inputs of a function that comes from no model: [`Symbol::Input`] of 0, 1, ….
+    pub fn inputs<const N: usize>(&mut self) -> [Id; N] {
+        core::array::from_fn(|at| self.symbol(Symbol::Input(at as u32)))
     }
 
     /// An exact constant. One with a zero denominator becomes the undefined `1/0`, which evaluates to infinity.

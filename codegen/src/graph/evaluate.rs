@@ -3,19 +3,23 @@
 use std::fmt;
 
 use super::build::Graph;
-use super::node::{Id, Node};
+use super::node::{Id, Node, Symbol};
 use super::rational::to_f64;
 
 /// An expression uses a symbol that was given no value, or is no input of the function.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Unbound {
-    /// The symbol's name.
-    pub name: String,
+    /// The symbol.
+    pub symbol: Symbol,
 }
 
 impl fmt::Display for Unbound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the symbol `{}` is used but not given", self.name)
+        match self.symbol {
+            Symbol::Nominal(_) => f.write_str("a length or a sweep is used but not given"),
+            Symbol::Coordinate => f.write_str("a coordinate is used but not given"),
+            Symbol::Input(at) => write!(f, "input {at} is used but not given"),
+        }
     }
 }
 
@@ -26,16 +30,15 @@ impl Graph {
     ///
     /// # Errors
     /// A symbol of the expression is not among `values`.
-    pub fn evaluate(&self, id: Id, values: &[(&str, f64)]) -> Result<f64, Unbound> {
+    pub fn evaluate(&self, id: Id, values: &[(Symbol, f64)]) -> Result<f64, Unbound> {
         let used = self.reachable(&[id]);
         let mut known = vec![0.0; used.len()];
         for (index, _) in used.iter().enumerate().filter(|&(_, &used)| used) {
             let at = |id: Id| known[id.index()];
             known[index] = match self.node(Id(index as u32)) {
                 Node::Symbol(symbol) => {
-                    let name = self.name(*symbol);
-                    let given = values.iter().find(|(given, _)| *given == name);
-                    given.ok_or_else(|| Unbound { name: name.to_owned() })?.1
+                    let given = values.iter().find(|(given, _)| given == symbol);
+                    given.ok_or(Unbound { symbol: *symbol })?.1
                 }
                 Node::Rational(r) => to_f64(r),
                 Node::Pi => std::f64::consts::PI,

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use super::build::Graph;
 use super::evaluate::Unbound;
 use super::factor::{Literal, Products};
-use super::node::{Id, Node, Term};
+use super::node::{Id, Node, Symbol, Term};
 use super::program::{Constant, Program, Step, Value};
 use super::rational::Rational;
 
@@ -16,7 +16,7 @@ impl Graph {
     ///
     /// # Errors
     /// An output depends on a symbol that is not among `inputs`.
-    pub fn lower(&self, inputs: &[&str], outputs: &[Id]) -> Result<Program, Unbound> {
+    pub fn lower(&self, inputs: &[Symbol], outputs: &[Id]) -> Result<Program, Unbound> {
         let used = self.reachable(outputs);
         let mut products = Products::default();
         let mut product_at = FxHashMap::default();
@@ -48,9 +48,8 @@ impl Graph {
         for id in nodes() {
             let value = match self.node(id) {
                 Node::Symbol(symbol) => {
-                    let name = self.name(*symbol);
-                    let at = inputs.iter().position(|input| *input == name);
-                    Value::Input(at.ok_or_else(|| Unbound { name: name.to_owned() })? as u32)
+                    let at = inputs.iter().position(|input| input == symbol);
+                    Value::Input(at.ok_or(Unbound { symbol: *symbol })? as u32)
                 }
                 Node::Rational(r) if r.is_negative() => {
                     let size = lowering.rational(-*r);
@@ -75,8 +74,7 @@ impl Graph {
             lowering.values[id.index()] = value;
         }
         let outputs = outputs.iter().map(|output| lowering.at(*output)).collect();
-        let inputs = inputs.iter().map(|&input| input.to_owned()).collect();
-        Ok(Program::new(inputs, lowering.constants, lowering.steps, outputs))
+        Ok(Program::new(inputs.len(), lowering.constants, lowering.steps, outputs))
     }
 }
 

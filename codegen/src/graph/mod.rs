@@ -11,7 +11,7 @@
 //! use trunnion_codegen::graph::Graph;
 //!
 //! let mut graph = Graph::new();
-//! let (x, y) = (graph.symbol("x"), graph.symbol("y"));
+//! let [x, y] = graph.inputs();
 //! let three = graph.sum(&[x, y, x]);
 //! let two = graph.integer(2);
 //! let rest = graph.difference(three, y);

@@ -3,6 +3,7 @@
 use std::hash::{Hash, Hasher};
 
 use super::Rational;
+use crate::algebra::NominalId;
 
 /// A handle to an expression of one [`Graph`](super::Graph); equal handles are equal expressions.
 ///
@@ -25,9 +26,16 @@ impl Id {
     }
 }
 
-/// A symbol of one [`Graph`](super::Graph), by the order in which names were first used.
+/// A variable, by what it stands for: whoever prints an expression names it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Symbol(pub(super) u32);
+pub enum Symbol {
+    /// A length of the set-up or a sweep.
+    Nominal(NominalId),
+    /// The coordinate that a function of the machine depends on, mm or rad.
+    Coordinate,
+    /// The input at this place of a function that comes from no model.
+    Input(u32),
+}
 
 /// `coefficient · node` in a sum.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

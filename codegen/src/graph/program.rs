@@ -1,11 +1,11 @@
 //! Several expressions as one straight line of operations on two operands, every shared part computed once.
 
-use super::Rational;
+use super::{Rational, to_f64};
 
 /// An operand: what a [`Program`] is given, a constant it holds, or the result of one of its steps.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Value {
-    /// An index into [`Program::inputs`].
+    /// The input at this place.
     Input(u32),
     /// An index into [`Program::constants`].
     Constant(u32),
@@ -22,6 +22,18 @@ pub enum Constant {
     Pi,
     /// √2
     Sqrt2,
+}
+
+impl Constant {
+    /// Nearest `f64`.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        match self {
+            Constant::Rational(r) => to_f64(r),
+            Constant::Pi => std::f64::consts::PI,
+            Constant::Sqrt2 => std::f64::consts::SQRT_2,
+        }
+    }
 }
 
 /// One floating-point operation.
@@ -76,7 +88,7 @@ pub struct Operations {
 /// Made by [`Graph::lower`](super::Graph::lower).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Program {
-    pub(super) inputs: Vec<String>,
+    pub(super) inputs: usize,
     pub(super) constants: Vec<Constant>,
     pub(super) steps: Vec<Step>,
     pub(super) outputs: Vec<Value>,
@@ -85,10 +97,10 @@ pub struct Program {
 
 /// The most operations a printer writes in one expression before it names a part: keeps lines readable, and keeps
 /// recursion over expressions shallow however long a sum is.
-const LONGEST_EXPRESSION: usize = 24;
+const LONGEST_EXPRESSION: usize = 14;
 
 impl Program {
-    pub(super) fn new(inputs: Vec<String>, constants: Vec<Constant>, steps: Vec<Step>, outputs: Vec<Value>) -> Self {
+    pub(super) fn new(inputs: usize, constants: Vec<Constant>, steps: Vec<Step>, outputs: Vec<Value>) -> Self {
         let mut uses = vec![0_usize; steps.len()];
         let mut is_output = vec![false; steps.len()];
         for value in steps.iter().flat_map(|step| step.operands()).chain(outputs.iter().copied()) {
@@ -116,10 +128,10 @@ impl Program {
         Program { inputs, constants, steps, outputs, temporary }
     }
 
-    /// The names of the inputs, in order; not all need be used.
+    /// How many inputs there are; not all need be used.
     #[must_use]
-    pub fn inputs(&self) -> &[String] {
-        &self.inputs
+    pub fn inputs(&self) -> usize {
+        self.inputs
     }
 
     /// The constants, each once.

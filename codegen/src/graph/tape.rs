@@ -1,10 +1,8 @@
 //! A program made ready to be run many times: run-time models evaluate their rows with it.
 
-use std::f64::consts;
 use std::fmt;
 
 use super::program::{Constant, Program, Step, Value};
-use super::rational::to_f64;
 
 /// One operation on registers; its result goes to the next register.
 #[derive(Clone, Copy, Debug)]
@@ -66,8 +64,8 @@ impl Tape {
     /// Prepares a program.
     #[must_use]
     pub fn new(program: &Program) -> Self {
-        let inputs = program.inputs().len();
-        let constants: Vec<f64> = program.constants().iter().map(constant).collect();
+        let inputs = program.inputs();
+        let constants: Vec<f64> = program.constants().iter().map(Constant::value).collect();
         let first = inputs + constants.len();
         let register = |value: Value| match value {
             Value::Input(at) => at,
@@ -112,14 +110,6 @@ impl Tape {
         let mut registers = vec![0.0; self.registers];
         registers.splice(self.inputs..self.inputs + self.constants.len(), self.constants.iter().copied());
         Evaluator { tape: self, registers }
-    }
-}
-
-fn constant(constant: &Constant) -> f64 {
-    match constant {
-        Constant::Rational(r) => to_f64(r),
-        Constant::Pi => consts::PI,
-        Constant::Sqrt2 => consts::SQRT_2,
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use trunnion_codegen::algebra::{Fraction, Poly, nominal_value};
-use trunnion_codegen::emit::{c, c99, model};
+use trunnion_codegen::emit::{c, c99, numpy};
 use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::Model;
@@ -114,7 +114,7 @@ fn numpy_of_whole_models() {
     }
     for name in MODELS {
         let (model, derivation) = derived(name);
-        let mut source = model::numpy_source(&model, &derivation).unwrap();
+        let mut source = numpy::model_source(&model, &derivation).unwrap();
         source += "\n\ndef show(*results):\n    for row in np.vstack(results).T:\n";
         source += "        print(*[repr(float(value)) for value in row])\n\n\n";
         for (i, run) in derivation.runs.iter_enumerated() {

@@ -1,7 +1,7 @@
 //! The functions that are printed: a row of regressors, and a residual with its Jacobian.
 
-use trunnion_codegen::emit::{Function, Output};
-use trunnion_codegen::graph::{Graph, Id, Rational};
+use trunnion_codegen::emit::{Function, Input, Output};
+use trunnion_codegen::graph::{Graph, Id, Rational, Symbol};
 
 /// A function and the expressions of its outputs, in order.
 pub struct Case {
@@ -14,7 +14,7 @@ pub struct Case {
 impl Case {
     /// The graph's own evaluation.
     pub fn expected(&self, point: &[f64]) -> Vec<f64> {
-        let values: Vec<_> = self.inputs.iter().copied().zip(point.iter().copied()).collect();
+        let values: Vec<_> = (0..).map(Symbol::Input).zip(point.iter().copied()).collect();
         self.outputs.iter().map(|&id| self.graph.evaluate(id, &values).unwrap()).collect()
     }
 }
@@ -22,7 +22,7 @@ impl Case {
 /// The regressors of the tilting table, eqs. (7) and (9), and the quartics of (10) with π in them.
 pub fn tilting() -> Case {
     let mut g = Graph::new();
-    let (radius, a) = (g.symbol("R"), g.symbol("a"));
+    let [radius, a] = g.inputs();
     let (s, c) = (g.sin(a), g.cos(a));
     let mut row = |r, m, n| g.monomial(Rational::from_integer(1), &[(radius, r), (s, m), (c, n)]);
     let mut elements = vec![
@@ -45,14 +45,15 @@ pub fn tilting() -> Case {
     let outputs = elements.iter().map(|(_, id)| *id).collect();
     let docs = ["Regressors of the tilting run at angle `a` in rad for bar length `R` in mm."];
     let inputs = vec!["R", "a"];
-    let function = Function::new(&g, "tilting", &docs, &inputs, &[Output::array("row", &elements)]).unwrap();
+    let function =
+        Function::new(&g, "tilting", &docs, Input::all(&inputs), &[Output::array("row", &elements)]).unwrap();
     Case { graph: g, function, inputs, outputs }
 }
 
 /// A residual of roots, quotients, sines and cosines with its Jacobian and a scalar, for several outputs of each shape.
 pub fn strut() -> Case {
     let mut g = Graph::new();
-    let [x, y, z, base] = ["x", "y", "z", "B"].map(|name| g.symbol(name));
+    let [x, y, z, base] = g.inputs();
     let squares = [x, y, z].map(|u| g.power(u, 2));
     let sum = g.sum(&squares);
     let length = g.sqrt(sum);
@@ -74,7 +75,7 @@ pub fn strut() -> Case {
         &g,
         "strut",
         &["A residual and its exact Jacobian."],
-        &inputs,
+        Input::all(&inputs),
         &[Output::array("residual", &named), Output::matrix("jacobian", &jacobian), Output::scalar("lean", lean)],
     )
     .unwrap();

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use trunnion_codegen::emit::rust;
+use quote::quote;
+use trunnion_codegen::emit::rust::{self, Support};
 
 use super::compare::{STRUT, STRUT_SCALE, TILTING, assert_close, points, tilting_scale};
 use super::functions::{strut, tilting};
@@ -11,7 +12,11 @@ use super::generated;
 /// With `UPDATE_GENERATED` set the file is written instead.
 #[test]
 fn the_checked_in_file_is_what_is_printed() {
-    let printed = rust::source(&[tilting().function, strut().function], "tests/printed/functions.rs");
+    let printed = rust::source(
+        &[tilting().function, strut().function],
+        "tests/printed/functions.rs",
+        &Support::in_file(&quote!(super::support)),
+    );
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed/generated.rs");
     if std::env::var_os("UPDATE_GENERATED").is_some() {
         std::fs::write(path, printed).unwrap();

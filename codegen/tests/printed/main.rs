@@ -4,6 +4,25 @@ mod compare;
 mod functions;
 mod native;
 mod python;
+/// What stands for `trunnion_solver::generated`, which depends on this crate.
+mod support {
+    pub trait Real: num_traits::Float {
+        fn of(x: f64) -> Self;
+        fn sine_cosine(self) -> (Self, Self) {
+            self.sin_cos()
+        }
+    }
+    impl Real for f32 {
+        fn of(x: f64) -> Self {
+            x as f32
+        }
+    }
+    impl Real for f64 {
+        fn of(x: f64) -> Self {
+            x
+        }
+    }
+}
 /// Printed by the test below and checked in, so that the compiler reads it.
 mod generated {
     include!("generated.rs");

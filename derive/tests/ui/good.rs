@@ -30,4 +30,11 @@ fn main() {
     assert!(row.iter().chain(&known).all(|v| v.is_finite()));
     assert_eq!(Table::ecc(150.0, 80.0, 0.0_f64), [1.0, 0.0, 1.0, 0.0]);
     assert!(Table::TANGENTIAL.iter().all(|at| *at < Table::NAMES.len()));
+
+    let mut fit: TableJoint<f32> = Table::fit(TableLengths { r: 150.0, l: 80.0 }).unwrap();
+    for i in 0..60_u8 {
+        fit.push_tangential(f32::from(i) * 0.1, 0.001, 0.0, 0.0).unwrap();
+    }
+    fit.merge(&fit.clone()).unwrap();
+    assert!(Table::fit(TableLengths { r: 150.0, l: -80.0_f64 }).is_err_and(|e| e.name == "L"));
 }

@@ -33,7 +33,6 @@
 //! The equations and their derivatives (`equations`) are generated from their symbolic form.
 
 mod error;
-mod float;
 mod forward;
 mod frame;
 mod inverse;

@@ -1,7 +1,7 @@
 //! How well the data separate the coefficients, and which they separate worst.
 
 use super::solution::dot;
-use super::triangle::Triangle;
+use super::triangle::{Triangle, squared_norms};
 use super::{Factor, Real, SolveError, Subset};
 
 /// Sweeps over all pairs of columns. Convergence is quadratic: five or six do; this only bounds the time.
@@ -22,33 +22,31 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// Condition of all `P` columns, scaled to unit norm.
     ///
     /// # Errors
-    /// As [`condition_of_first`](Self::condition_of_first).
-    pub fn condition(&self) -> Result<Condition<T, P>, SolveError<P>> {
-        self.condition_of_first::<P>()
-    }
-
-    /// Condition of the first `E` columns, scaled to unit norm: what matters to [`solve_given`](Self::solve_given).
-    ///
-    /// # Errors
     /// [`SolveError::RankDeficient`] if the columns are dependent (in which case the ratio would be that of two
     /// roundings), [`SolveError::NotFinite`] if their norms overflow.
-    pub fn condition_of_first<const E: usize>(&self) -> Result<Condition<T, E>, SolveError<E>> {
-        let triangle = Triangle::<T, E>::leading(self);
+    pub fn condition(&self) -> Result<Condition<T, P>, SolveError<P>> {
+        self.condition_of_first(P)
+    }
+
+    /// Condition of the first `n` columns, as if there were no others.
+    pub(super) fn condition_of_first(&self, n: usize) -> Result<Condition<T, P>, SolveError<P>> {
+        let triangle = Triangle::leading(self, n);
         triangle.independent(&triangle.inverse()).map_err(SolveError::RankDeficient)?;
+        let (n, norm2) = (n.min(P), squared_norms(self));
         // Rows of the scaled factor A: rotating them into orthogonality (one-sided Jacobi on A') leaves each as a
         // singular value times its right singular vector.
-        let mut rows = [[T::zero(); E]; E];
-        for j in 0..E {
-            let root = triangle.d[j].sqrt();
-            rows[j][j] = root / triangle.norm2[j].sqrt();
-            for k in j + 1..E {
-                rows[j][k] = root * triangle.r[j][k] / triangle.norm2[k].sqrt();
+        let mut rows = [[T::zero(); P]; P];
+        for j in 0..n {
+            let root = self.dr[j][j].sqrt();
+            rows[j][j] = root / norm2[j].sqrt();
+            for k in j + 1..n {
+                rows[j][k] = root * self.dr[j][k] / norm2[k].sqrt();
             }
         }
         orthogonalise(&mut rows);
 
-        let (mut largest, mut smallest, mut weakest) = (T::zero(), T::infinity(), [T::zero(); E]);
-        for row in rows {
+        let (mut largest, mut smallest, mut weakest) = (T::zero(), T::infinity(), [T::zero(); P]);
+        for row in rows.into_iter().take(n) {
             let norm2 = dot(&row, &row);
             largest = largest.max(norm2);
             if norm2 < smallest {
@@ -65,12 +63,12 @@ impl<T: Real, const P: usize> Factor<T, P> {
 }
 
 /// One-sided Jacobi: rotates pairs of rows until all are orthogonal to working precision.
-fn orthogonalise<T: Real, const E: usize>(rows: &mut [[T; E]; E]) {
+fn orthogonalise<T: Real, const P: usize>(rows: &mut [[T; P]; P]) {
     let two = T::one() + T::one();
     for _ in 0..SWEEPS {
         let mut rotated = false;
-        for i in 0..E {
-            for j in i + 1..E {
+        for i in 0..P {
+            for j in i + 1..P {
                 let (a, b) = (rows[i], rows[j]);
                 let (aa, bb, ab) = (dot(&a, &a), dot(&b, &b), dot(&a, &b));
                 if ab.abs() <= T::epsilon() * aa.sqrt() * bb.sqrt() {

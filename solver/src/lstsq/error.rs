@@ -21,8 +21,10 @@ pub struct Confounded<const P: usize> {
     pub pivot: usize,
     /// `pivot` and the earlier coefficients whose columns combine to its column. Only `pivot` if its column is zero.
     pub involved: Subset<P>,
-    /// How many of the `P` columns are independent.
+    /// How many of the columns are independent.
     pub rank: usize,
+    /// How many columns there are: `P`, or as many as one of two steps estimates.
+    pub columns: usize,
 }
 
 /// Why a factor has no solution.
@@ -39,6 +41,42 @@ pub enum SolveError<const P: usize> {
     RankDeficient(Confounded<P>),
     /// A given value is not finite, or a result would not be.
     NotFinite,
+}
+
+/// Why two steps have no solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TwoStepError<const P: usize> {
+    /// The step that failed.
+    pub step: Step,
+    /// Why; its coefficients are those of the whole estimate.
+    pub why: SolveError<P>,
+}
+
+/// One of two steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// The first, which gives.
+    First,
+    /// The second, which is given.
+    Second,
+}
+
+impl<const N: usize> SolveError<N> {
+    /// The same, each coefficient moved to its place in `to`.
+    pub(super) fn placed<const P: usize>(self, to: &[usize]) -> SolveError<P> {
+        match self {
+            Self::TooFewSamples { samples, needed } => SolveError::TooFewSamples { samples, needed },
+            Self::RankDeficient(Confounded { pivot, involved, rank, columns }) => {
+                SolveError::RankDeficient(Confounded {
+                    pivot: to.get(pivot).copied().unwrap_or(pivot),
+                    involved: involved.placed(to),
+                    rank,
+                    columns,
+                })
+            }
+            Self::NotFinite => SolveError::NotFinite,
+        }
+    }
 }
 
 impl fmt::Display for Rejected {
@@ -58,7 +96,7 @@ impl<const P: usize> fmt::Display for SolveError<P> {
                 write!(f, "{samples} samples where at least {needed} are needed")
             }
             Self::RankDeficient(c) => {
-                write!(f, "rank {} of {P}; the data do not separate coefficients", c.rank)?;
+                write!(f, "rank {} of {}; the data do not separate coefficients", c.rank, c.columns)?;
                 c.involved.iter().try_for_each(|i| write!(f, " {i}"))
             }
             Self::NotFinite => f.write_str("a value is not a finite number"),
@@ -66,5 +104,16 @@ impl<const P: usize> fmt::Display for SolveError<P> {
     }
 }
 
+impl<const P: usize> fmt::Display for TwoStepError<P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let step = match self.step {
+            Step::First => "first",
+            Step::Second => "second",
+        };
+        write!(f, "{step} step: {}", self.why)
+    }
+}
+
 impl error::Error for Rejected {}
 impl<const P: usize> error::Error for SolveError<P> {}
+impl<const P: usize> error::Error for TwoStepError<P> {}

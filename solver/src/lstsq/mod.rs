@@ -44,17 +44,21 @@
 mod condition;
 mod error;
 mod factor;
+mod order;
 mod real;
 mod solution;
 mod solve;
 mod student;
 mod subset;
 mod triangle;
+mod two_step;
 
 pub use condition::Condition;
-pub use error::{Confounded, Rejected, SolveError};
+pub use error::{Confounded, Rejected, SolveError, Step, TwoStepError};
 pub use factor::Factor;
+pub use order::{Order, OrderError};
 pub use real::Real;
 pub use solution::Solution;
 pub use student::student_t_95;
 pub use subset::Subset;
+pub use two_step::Sensitivity;

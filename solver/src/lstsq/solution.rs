@@ -1,6 +1,7 @@
 //! The estimate and its uncertainty.
 
 use super::Real;
+use super::solve::Residual;
 use nalgebra::{SMatrix, SVector};
 
 /// Coefficients with their covariance. Every number in it is finite.
@@ -18,6 +19,19 @@ pub struct Solution<T, const P: usize> {
 }
 
 impl<T: Real, const P: usize> Solution<T, P> {
+    /// The solution, if every number of it is finite.
+    #[inline]
+    pub(super) fn finite(coefficients: [T; P], covariance: [[T; P]; P], residual: Residual<T>) -> Option<Self> {
+        let zero = [T::zero(); P];
+        let check = covariance.iter().fold(dot(&coefficients, &zero), |sum, row| sum + dot(row, &zero));
+        (check + residual.variance).is_finite().then(|| Self {
+            coefficients: SVector::from(coefficients),
+            covariance: SMatrix::from(covariance),
+            residual_std: residual.variance.sqrt(),
+            degrees_of_freedom: residual.degrees_of_freedom,
+        })
+    }
+
     /// Standard deviation of each coefficient.
     pub fn std(&self) -> SVector<T, P> {
         let mut std = [T::zero(); P];

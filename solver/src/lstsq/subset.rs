@@ -10,6 +10,17 @@ impl<const P: usize> Subset<P> {
         Self(member)
     }
 
+    /// The members, each moved to its place in `to`.
+    pub(super) fn placed<const Q: usize>(&self, to: &[usize]) -> Subset<Q> {
+        let mut member = [false; Q];
+        for (&to, &is_member) in to.iter().zip(&self.0) {
+            if let Some(member) = member.get_mut(to) {
+                *member = is_member;
+            }
+        }
+        Subset(member)
+    }
+
     /// Indices of the members, ascending.
     pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
         (0..P).zip(self.0).filter_map(|(i, member)| member.then_some(i))

@@ -1,9 +1,9 @@
 //! The solver that is printed as C99, compiled without a warning, against the Rust one on the reference runs.
 
-use num_traits::{AsPrimitive, FloatConst};
 use std::{env, fs, path::Path, process::Command};
 use trunnion_codegen::{catalogue, emit::c::Real as Kind, emit::c99, identify};
-use trunnion_solver::{Real, tilting::Joint};
+use trunnion_solver::Real;
+use trunnion_solver::tilting::{Joint, Lengths};
 
 const RADIUS: f64 = 150.0;
 
@@ -60,13 +60,10 @@ fn samples() -> Vec<[f64; 5]> {
 }
 
 /// What the driver prints, from Rust: coefficients, their standard deviations, residual, then ε_xa and its own.
-fn expected<T: Real + FloatConst + 'static>() -> Vec<T>
-where
-    f64: AsPrimitive<T>,
-{
-    let mut joint = Joint::new(T::of(RADIUS)).unwrap();
+fn expected<T: Real>() -> Vec<T> {
+    let mut joint = Joint::new(Lengths { r: T::of(RADIUS) }).unwrap();
     for [a, tilting, separation, y, z] in samples().into_iter().map(|sample| sample.map(T::of)) {
-        joint.push_tilting(a, tilting, [y, z]).unwrap();
+        joint.push_tilting(a, tilting, y, z).unwrap();
         joint.push_separation(a, separation).unwrap();
     }
     let estimate = joint.solve().unwrap();
@@ -75,17 +72,14 @@ where
     values.extend(solution.std().iter());
     values.push(solution.residual_std);
     for degree in (0..=360).step_by(30) {
-        let (value, std) = estimate.eps_xa(T::of(f64::from(degree).to_radians())).unwrap();
+        let (value, std) = estimate.e_xa(T::of(f64::from(degree).to_radians())).unwrap();
         values.extend([value, std]);
     }
     values
 }
 
 /// Largest difference of the C result: values in units of their standard deviation, deviations relative to themselves.
-fn difference<T: Real + FloatConst + 'static>(kind: Kind, name: &str) -> Option<[f64; 2]>
-where
-    f64: AsPrimitive<T>,
-{
+fn difference<T: Real>(kind: Kind, name: &str) -> Option<[f64; 2]> {
     let program = compile(name, kind, "driver.c")?;
     let input = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name).join("samples");
     let lines = samples().into_iter().map(|sample| sample.map(|v| format!("{v:e}")).join(" ") + "\n");

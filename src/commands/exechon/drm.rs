@@ -1,12 +1,11 @@
 //! `trunnion exechon drm`: the dependent rotation of poses, over the workspace, around a ring.
 
-use super::ik::{degrees, each_pose};
 use super::spool::{Spool, picture, print};
-use super::{Failed, FrameName, TiltedName, Which, numbers};
+use super::{Failed, FrameName, TiltedName, Which, degrees, numbers};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
-use trunnion::exechon::{Compensation, drm_map, quintic_picture};
+use trunnion::exechon::{Compensation, drm_map, inverse, quintic_picture};
 
 /// Arguments of `drm`.
 #[derive(Debug, Args)]
@@ -52,9 +51,11 @@ impl Drm {
         if let Some(file) = &self.file {
             let mut spool = Spool::new()?;
             spool.line(format_args!("x_mm,y_mm,z_mm,drm_deg"))?;
-            each_pose(&machine, file, self.frame, self.tilted.into(), |[x, y, z], _, drm| {
-                spool.line(format_args!("{x},{y},{z},{}", degrees(drm)))
-            })?;
+            for solved in inverse(&machine, file, self.frame.into(), self.tilted.into())? {
+                let solved = solved?;
+                let [x, y, z] = solved.point;
+                spool.line(format_args!("{x},{y},{z},{}", degrees(solved.rotation)))?;
+            }
             return spool.show();
         }
         if let Some(z) = self.map {

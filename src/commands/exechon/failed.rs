@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::data::WriteError;
 use trunnion::exechon::{
-    CompensationError, ExperimentError, MachineFileError, NcError, PictureError, PlanError, TableError,
+    CompensationError, ExperimentError, InputError, MachineFileError, NcError, PictureError, PlanError,
 };
 use trunnion::plot::PlotError;
 
@@ -14,9 +14,7 @@ pub enum Failed {
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Machine(PathBuf, MachineFileError),
     #[error(transparent)]
-    Table(#[from] TableError),
-    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
-    Points(PathBuf, String),
+    Input(#[from] InputError),
     #[error(transparent)]
     Write(#[from] WriteError),
     #[error(transparent)]

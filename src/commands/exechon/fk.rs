@@ -1,12 +1,10 @@
 //! `trunnion exechon fk`: from struts and axes to poses, one line at a time.
 
-use super::ik::degrees;
 use super::spool::{Spool, picture};
-use super::{Failed, FrameName, TiltedName, Which};
+use super::{Failed, FrameName, TiltedName, Which, degrees};
 use clap::Args;
 use std::path::PathBuf;
-use trunnion::exechon::{PointError, machine_picture, rows};
-use trunnion_solver::exechon::Joints;
+use trunnion::exechon::{forward, machine_picture};
 
 /// Arguments of `fk`.
 #[derive(Debug, Args)]
@@ -30,26 +28,14 @@ impl Fk {
     /// Solves and shows.
     pub fn run(self) -> Result<(), Failed> {
         let machine = self.which.read()?;
-        let (frame, start) = (machine.frame(), machine.home().start());
-        let mut lines = rows(&self.file, ["l1_mm", "l2_mm", "l3_mm", "a_deg", "c_deg"], [])?;
         let mut first = None;
         let mut spool = Spool::new()?;
         spool.line(format_args!("x_mm,y_mm,z_mm,i,j,k,drm_deg,iterations"))?;
-        while let Some(row) = lines.next() {
-            let row = row?;
-            let [l1, l2, l3, a, c] = row.values;
-            let joints = Joints { struts: [l1, l2, l3], a: a.to_radians(), c: c.to_radians() };
-            let solved = machine
-                .forward(&joints, &start)
-                .map_err(PointError::from)
-                .and_then(|pose| Ok((pose, machine.dependent_rotation(&pose, self.tilted.into())?)));
-            let (pose, drm) = solved.map_err(|e| lines.refuse(row.line, e.to_string(), e.remedy()))?;
-            let ([x, y, z], [i, j, k]) = match self.frame {
-                FrameName::Base => (pose.point, *pose.direction()),
-                FrameName::Machine => (frame.point_from_base(pose.point), frame.direction_from_base(*pose.direction())),
-            };
-            spool.line(format_args!("{x},{y},{z},{i},{j},{k},{},{}", degrees(drm), pose.iterations))?;
-            first.get_or_insert(pose);
+        for solved in forward(&machine, &self.file, self.frame.into(), self.tilted.into())? {
+            let solved = solved?;
+            let ([x, y, z], [i, j, k], drm) = (solved.point, solved.direction, degrees(solved.rotation));
+            spool.line(format_args!("{x},{y},{z},{i},{j},{k},{drm},{}", solved.pose.iterations))?;
+            first.get_or_insert(solved.pose);
         }
         if let Some(pose) = first {
             picture(self.svg.as_deref(), || Ok(machine_picture(&machine, &pose, "The machine at the first pose")?))?;

@@ -1,14 +1,10 @@
 //! `trunnion exechon ik`: from poses to struts and axes, one line at a time.
 
 use super::spool::{Spool, picture};
-use super::{Failed, FrameName, TiltedName, Which};
+use super::{Failed, FrameName, TiltedName, Which, degrees};
 use clap::Args;
 use std::path::PathBuf;
-use trunnion::exechon::{PointError, machine_picture, rows};
-use trunnion_solver::exechon::{Machine, Pose, Start, Target, Tilted};
-
-/// Columns of a pose file.
-pub const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "i", "j", "k"];
+use trunnion::exechon::{inverse, machine_picture};
 
 /// Arguments of `ik`.
 #[derive(Debug, Args)]
@@ -38,58 +34,16 @@ impl Ik {
         let mut first = None;
         let mut spool = Spool::new()?;
         spool.line(format_args!("x_mm,y_mm,z_mm,l1_mm,l2_mm,l3_mm,a_deg,c_deg,drm_deg,iterations"))?;
-        each_pose(&machine, &self.file, self.frame, self.tilted.into(), |[x, y, z], pose, drm| {
-            first.get_or_insert(*pose);
-            let ([l1, l2, l3], [a, c, drm]) = (pose.joints.struts, [pose.joints.a, pose.joints.c, drm].map(degrees));
-            spool.line(format_args!("{x},{y},{z},{l1},{l2},{l3},{a},{c},{drm},{}", pose.iterations))
-        })?;
+        for solved in inverse(&machine, &self.file, self.frame.into(), self.tilted.into())? {
+            let solved = solved?;
+            let ([x, y, z], joints) = (solved.point, solved.pose.joints);
+            let ([l1, l2, l3], [a, c, drm]) = (joints.struts, [joints.a, joints.c, solved.rotation].map(degrees));
+            spool.line(format_args!("{x},{y},{z},{l1},{l2},{l3},{a},{c},{drm},{}", solved.pose.iterations))?;
+            first.get_or_insert(solved.pose);
+        }
         if let Some(pose) = first {
             picture(self.svg.as_deref(), || Ok(machine_picture(&machine, &pose, "The machine at the first pose")?))?;
         }
         spool.show()
     }
-}
-
-/// Degrees, without a negative zero.
-pub fn degrees(angle: f64) -> f64 {
-    angle.to_degrees() + 0.0
-}
-
-/// Solves the poses of a file, each from the one before, else from home.
-pub fn each_pose(
-    machine: &Machine<f64>,
-    file: &std::path::Path,
-    frame: FrameName,
-    tilted: Tilted,
-    mut each: impl FnMut([f64; 3], &Pose<f64>, f64) -> Result<(), Failed>,
-) -> Result<(), Failed> {
-    let to_base = machine.frame();
-    let mut lines = rows(file, POSE, [])?;
-    let mut start = machine.home().start();
-    while let Some(row) = lines.next() {
-        let row = row?;
-        let [x, y, z, i, j, k] = row.values;
-        let (point, direction) = match frame {
-            FrameName::Base => ([x, y, z], [i, j, k]),
-            FrameName::Machine => (to_base.point_to_base([x, y, z]), to_base.direction_to_base([i, j, k])),
-        };
-        let solved = solve(machine, point, direction, &start, tilted);
-        let (pose, drm) = solved.map_err(|e| lines.refuse(row.line, e.to_string(), e.remedy()))?;
-        start = pose.start();
-        each([x, y, z], &pose, drm)?;
-    }
-    Ok(())
-}
-
-fn solve(
-    machine: &Machine<f64>,
-    point: [f64; 3],
-    direction: [f64; 3],
-    start: &Start<f64>,
-    tilted: Tilted,
-) -> Result<(Pose<f64>, f64), PointError> {
-    let target = Target::new(point, direction)?;
-    let near = machine.inverse(&target, start);
-    let pose = near.or_else(|_| machine.inverse(&target, &machine.home().start()))?;
-    Ok((pose, machine.dependent_rotation(&pose, tilted)?))
 }

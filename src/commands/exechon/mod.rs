@@ -15,7 +15,7 @@ pub use failed::Failed;
 use super::Refused;
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
-use trunnion::exechon::read_machine;
+use trunnion::exechon::{Coordinates, read_machine};
 use trunnion_solver::exechon::{Machine, Tilted};
 
 /// Commands for the parallel machine.
@@ -77,6 +77,15 @@ enum FrameName {
     Machine,
 }
 
+impl From<FrameName> for Coordinates {
+    fn from(name: FrameName) -> Self {
+        match name {
+            FrameName::Base => Self::Base,
+            FrameName::Machine => Self::Machine,
+        }
+    }
+}
+
 /// What φ is counted from where the tool does not point as at home.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum TiltedName {
@@ -93,6 +102,11 @@ impl From<TiltedName> for Tilted {
             TiltedName::Carried => Self::Carried,
         }
     }
+}
+
+/// Degrees, without a negative zero.
+fn degrees(angle: f64) -> f64 {
+    angle.to_degrees() + 0.0
 }
 
 /// `X,Y,…` as N numbers.

@@ -5,7 +5,7 @@ use super::{Failed, Which, numbers};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
-use trunnion::exechon::{RingError, RingReport, read_rows, ring_picture, ring_report};
+use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
 
 /// Arguments of `ring`.
 #[derive(Debug, Args)]
@@ -42,15 +42,7 @@ impl Ring {
             return Err(Failed::Option("stylus", "expected a diameter in mm"));
         }
         let machine = self.which.read()?;
-        let rows = read_rows(&self.file, ["x_mm", "y_mm", "z_mm"], ["spindle_deg"], 1)?;
-        let points: Vec<_> = rows.iter().map(|row| (row.values, row.optional[0].unwrap_or(0.0).to_radians())).collect();
-        let report = ring_report(&machine, &points, self.offset, self.step.to_radians()).map_err(|e| {
-            let line = match e {
-                RingError::Point(at, _) => rows.get(at).map_or(String::new(), |row| format!("line {}: ", row.line)),
-                RingError::Circle(_) => String::new(),
-            };
-            Failed::Points(self.file.clone(), format!("{line}{e}"))
-        })?;
+        let report = ring_report_of(&machine, &self.file, self.offset, self.step.to_radians())?;
         picture(self.svg.as_deref(), || Ok(ring_picture(&[("", &report)], "Circular deviation")?))?;
         print(&if self.json { self.document(&report) } else { self.text(&report) })
     }

@@ -3,9 +3,11 @@
 use super::{c, model};
 use crate::emit::c::Real;
 use crate::emit::function::Function;
+use crate::emit::layout::listed;
+use crate::emit::model::EstimatedFunction;
 use crate::graph::Unbound;
 use crate::identify::Derivation;
-use crate::ids::{BaseId, RunId};
+use crate::ids::{FunctionId, RunId};
 use crate::model::Model;
 
 /// What goes into the header, and what into the source.
@@ -37,10 +39,8 @@ pub(super) fn functions(model: &Model, derivation: &Derivation, real: Real, pref
             push(&mut printed, model, derivation, at, function, real, prefix);
         }
     }
-    for at in model.functions.keys().filter(|at| model.functions[*at].estimate) {
-        if let Some(basis) = model::basis(model, at) {
-            value(&mut printed, derivation, basis?, real, prefix);
-        }
+    for function in model::estimated(model, derivation)? {
+        value(&mut printed, function, real, prefix);
     }
     Ok(printed)
 }
@@ -67,15 +67,18 @@ fn push(
     let mut locals = Locals(inputs.clone());
     locals.0.extend([row.clone(), "N".to_owned()]);
     let [fit, reading] = ["fit", "reading"].map(|name| locals.name(name));
-    let known: Vec<String> = run.known.iter().map(|(f, _)| locals.name(&model::known_name(model, *f))).collect();
+    let error = |f: FunctionId| model.alphabet.error_name(model.functions[f].error);
+    let known: Vec<String> = run.known.iter().map(|(f, _)| locals.name(error(*f))).collect();
     let [place, seen, all, factors, i] = ["place", "seen", "row", "factors", "i"].map(|name| locals.name(name));
 
     let values = inputs.iter().chain([&reading]).chain(&known).map(|name| format!("{kind} {name}"));
-    let signature =
-        format!("{prefix}_status {prefix}_{push}({prefix}_fit *{fit}, {})", values.collect::<Vec<_>>().join(", "));
-    let also = if known.is_empty() { "" } else { ", and the known functions there" };
-    printed.declarations +=
-        &format!("\n/* Takes a sample of the run: constants, sweep, reading{also}. */\n{signature};\n");
+    let parameters: Vec<String> = [format!("{prefix}_fit *{fit}")].into_iter().chain(values).collect();
+    let signature = listed(&format!("{prefix}_status {prefix}_{push}("), &parameters, ")", 4);
+    let also = if known.is_empty() { "" } else { ", the known functions there (mm or rad)" };
+    printed.declarations += &format!(
+        "\n/* Takes a sample of run `{}`: lengths (mm), sweep (rad), reading (mm){also}. */\n{signature};\n",
+        run.name
+    );
 
     let n = run.regressors.len();
     let places: Vec<String> = run.regressors.iter().map(|(base, _)| base.to_string()).collect();
@@ -83,13 +86,14 @@ fn push(
     arguments.push(seen.clone());
     printed.definitions += &internal(function, row.clone(), real);
     printed.definitions += &format!("\n{signature}\n{{\n");
-    printed.definitions += &format!("    static const unsigned short {place}[{n}] = {{{}}};\n", places.join(", "));
+    printed.definitions += &listed(&format!("    static const unsigned short {place}[{n}] = {{"), &places, "};\n", 8);
     printed.definitions += &format!("    {kind} {seen}[{n}], {all}[N] = {{0}};\n");
     if !known.is_empty() {
         printed.definitions += &format!("    {kind} {factors}[{}];\n", known.len());
         arguments.push(factors.clone());
     }
-    printed.definitions += &format!("    int {i};\n\n    {row}({});\n", arguments.join(", "));
+    printed.definitions += &format!("    int {i};\n\n");
+    printed.definitions += &listed(&format!("    {row}("), &arguments, ");\n", 8);
     printed.definitions +=
         &format!("    for ({i} = 0; {i} < {n}; {i}++) {{\n        {all}[{place}[{i}]] = {seen}[{i}];\n    }}\n");
     for (at, known) in known.iter().enumerate() {
@@ -98,36 +102,37 @@ fn push(
     printed.definitions += &format!("    return {prefix}_push({fit}, {all}, {reading}, 1);\n}}\n");
 }
 
-fn value(printed: &mut Printed, derivation: &Derivation, function: Function, real: Real, prefix: &str) {
+fn value(printed: &mut Printed, estimated: EstimatedFunction, real: Real, prefix: &str) {
     let (kind, upper) = (real.name(), prefix.to_uppercase());
+    // Not estimated by its coefficients, the function cannot be evaluated from what is.
+    let Some(places) = estimated.coefficients else { return };
+    let function = estimated.basis;
     let inputs = c::inputs(&function);
     let name = c::identifier(&function.name);
     let basis = c::identifier(&format!("basis_of_{name}"));
-    let position = |coefficient: &String| derivation.base.position(|base| base.name == *coefficient);
-    let Some(places) = function.elements.iter().map(position).collect::<Option<Vec<BaseId>>>() else {
-        // Lumped with others, the function cannot be evaluated from what is estimated.
-        return;
-    };
     let n = places.len();
     let mut locals = Locals(inputs.clone());
     locals.0.extend([basis.clone(), "N".to_owned()]);
     let [estimate, value, std, place, at, sum, variance, i, j] =
         ["estimate", "value", "std", "place", "at", "sum", "variance", "i", "j"].map(|name| locals.name(name));
-    let values = inputs.iter().map(|name| format!("{kind} {name}")).collect::<Vec<_>>().join(", ");
-    let signature = format!(
-        "{prefix}_status {prefix}_value_of_{name}(const {prefix}_estimate *{estimate}, {values}, {kind} *{value}, {kind} *{std})"
-    );
+    let values = inputs.iter().map(|name| format!("{kind} {name}"));
+    let first = format!("const {prefix}_estimate *{estimate}");
+    let results = [format!("{kind} *{value}"), format!("{kind} *{std}")];
+    let parameters: Vec<String> = [first].into_iter().chain(values).chain(results).collect();
+    let signature = listed(&format!("{prefix}_status {prefix}_value_of_{name}("), &parameters, ")", 4);
     printed.declarations +=
         &format!("\n/* The estimated function at a coordinate, and its standard deviation there. */\n{signature};\n");
     let places: Vec<String> = places.iter().map(ToString::to_string).collect();
-    let (places, call) = (places.join(", "), inputs.join(", "));
+    let places = listed(&format!("    static const unsigned short {place}[{n}] = {{"), &places, "};", 8);
+    let arguments: Vec<String> = inputs.iter().chain([&at]).cloned().collect();
+    let call = listed(&format!("    {basis}("), &arguments, ");", 8);
     let root = real.pick("sqrt", "sqrtf");
     printed.definitions += &internal(function, basis.clone(), real);
     printed.definitions += &format!(
         "
 {signature}
 {{
-    static const unsigned short {place}[{n}] = {{{places}}};
+{places}
     {kind} {at}[{n}], {sum} = 0, {variance} = 0;
     int {i}, {j};
 
@@ -137,7 +142,7 @@ fn value(printed: &mut Printed, derivation: &Derivation, function: Function, rea
     if ({estimate}->mark != ESTIMATE_MARK) {{
         return {upper}_NOT_INITIALISED;
     }}
-    {basis}({call}, {at});
+{call}
     for ({i} = 0; {i} < {n}; {i}++) {{
         {sum} += {at}[{i}] * {estimate}->value[{place}[{i}]];
         for ({j} = 0; {j} < {n}; {j}++) {{

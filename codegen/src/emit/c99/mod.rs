@@ -7,6 +7,7 @@ mod functions;
 
 use super::c::{self, Real};
 use super::header;
+use super::layout::listed;
 use super::model;
 use crate::graph::Unbound;
 use crate::identify::Derivation;
@@ -40,18 +41,19 @@ pub fn sources(model: &Model, derivation: &Derivation, real: Real) -> Result<Sou
     let names: Vec<&str> = derivation.base.iter().map(|base| base.name.as_str()).collect();
     let printed = functions::functions(model, derivation, real, &prefix)?;
     let fill = |template: &str| {
-        let literals = names.iter().map(|name| literal(name)).collect::<Vec<_>>().join(", ");
+        let literals: Vec<String> = names.iter().map(|name| literal(name)).collect();
+        let names_line = listed(&format!("const char *const {prefix}_names[N] = {{"), &literals, "};", 4);
         // What comes from the model goes in last: it may look like a place.
         template
             .replace("@prefix@", &prefix)
             .replace("@PREFIX@", &prefix.to_uppercase())
             .replace("@real@", real.name())
-            .replace("@N@", &names.len().to_string())
+            .replace("@N@", &literals.len().to_string())
             .replace("@EPSILON@", real.pick("DBL_EPSILON", "FLT_EPSILON"))
             .replace("@MIN@", real.pick("DBL_MIN", "FLT_MIN"))
             .replace("@sqrt@", real.pick("sqrt", "sqrtf"))
             .replace("@declarations@", &printed.declarations)
-            .replace("@names@", &literals)
+            .replace("@names@", &names_line)
             .replace("@model@", &model.name.replace("*/", "* /"))
     };
     let head = header("//", &model.name);

@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::printer::Style;
+use crate::emit::layout::equation;
 use crate::identify::Derivation;
 use crate::ids::FunctionId;
 use crate::model::Model;
@@ -16,18 +17,19 @@ pub fn latex(model: &Model, derivation: &Derivation) -> String {
     };
     for (i, run) in derivation.runs.iter_enumerated() {
         let left = format!("{}_{{\\mathrm{{{}}}}}", d.label(i), run.name);
-        align(vec![format!("{left} &= {}", d.reading(run)), format!("{left} &= {}", d.equation(run))]);
+        let start = format!("{left} &= ");
+        align([d.reading(run), d.equation(run)].map(|right| equation(&start, &right, 2)).into());
     }
     let function = |(i, f): (FunctionId, &crate::model::Function)| {
         let x = d.coordinate(i);
-        Some(format!("{}({x}) &= {}", d.error(f.error), d.function(i, &x)?))
+        Some(equation(&format!("{}({x}) &= ", d.error(f.error)), &d.function(i, &x)?, 2))
     };
     align(model.functions.iter_enumerated().filter_map(function).collect());
     align(
         derivation
             .base
             .iter()
-            .map(|b| format!("{} &= {}", d.printer.name(&b.name), d.definition(&b.definition)))
+            .map(|b| equation(&format!("{} &= ", d.printer.name(&b.name)), &d.definition(&b.definition), 2))
             .collect(),
     );
     out

@@ -3,6 +3,7 @@
 use super::document::Document;
 use super::printer::Style;
 use crate::algebra::SweepId;
+use crate::emit::layout::{equation, prose};
 use crate::identify::Derivation;
 use crate::model::Model;
 use core::fmt::Write;
@@ -29,15 +30,16 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
     }
     for (i, run) in derivation.runs.iter_enumerated() {
         let label = d.label(i);
-        let _ = write!(out, "\nRun {}: the linear reading\n  {label} = {}\n", run.name, d.reading(run));
-        let _ = write!(out, "with its functions put in\n  {label} = {}\n", d.equation(run));
+        let start = format!("  {label} = ");
+        let _ = writeln!(out, "\nRun {}: the linear reading\n{}", run.name, equation(&start, &d.reading(run), 7));
+        let _ = writeln!(out, "with its functions put in\n{}", equation(&start, &d.equation(run), 7));
     }
     let _ = writeln!(out, "\nFunctions");
     for (i, f) in model.functions.iter_enumerated() {
         let name = d.error(f.error);
         let x = d.coordinate(i);
         let _ = match d.function(i, &x) {
-            Some(written) => writeln!(out, "  {name}({x}) = {written}"),
+            Some(written) => writeln!(out, "{}", equation(&format!("  {name}({x}) = "), &written, 7)),
             None => writeln!(out, "  {name}({x}) known, from another measurement"),
         };
     }
@@ -45,13 +47,14 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
     let written = || derivation.base.iter().filter(|b| !d.is_itself(b));
     let width = written().map(|b| b.name.len()).max().unwrap_or(0);
     for b in written() {
-        let _ = writeln!(out, "  {:width$} = {}", b.name, d.definition(&b.definition));
+        let start = format!("  {:width$} = ", b.name);
+        let _ = writeln!(out, "{}", equation(&start, &d.definition(&b.definition), start.len()));
     }
     let _ = writeln!(out, "\nWhat these runs cannot tell apart");
     for group in derivation.groups() {
-        let _ = writeln!(out, "  {}", d.group(&group));
+        let _ = writeln!(out, "{}", prose("  ", &d.group(&group), 4));
     }
     let unseen: Vec<&str> = derivation.unseen.iter().map(|e| model.alphabet.error_name(*e)).collect();
-    let _ = writeln!(out, "\nNot seen at first order: {}", unseen.join(", "));
+    let _ = writeln!(out, "\n{}", prose("Not seen at first order: ", &unseen.join(", "), 2));
     out
 }

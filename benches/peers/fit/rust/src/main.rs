@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::hint::black_box;
 use std::time::Instant;
-use trunnion_solver::tilting::{Joint, TwoStep, regressors};
+use trunnion_solver::tilting::{self, Joint, Lengths, TwoStep};
 
 const RADIUS: f64 = 150.0;
 
@@ -25,18 +25,18 @@ fn nalgebra_qr(angles: &[f64], readings: &[[f64; 2]]) -> f64 {
     };
     let mut second = DMatrix::zeros(n, 8);
     for (i, &a) in angles.iter().enumerate() {
-        second.row_mut(i).copy_from_slice(&regressors::separation(RADIUS, a));
+        second.row_mut(i).copy_from_slice(&tilting::separation(RADIUS, a));
     }
     let k = solve(second, DVector::from_iterator(n, readings.iter().map(|r| r[1])));
     let mut own = DMatrix::zeros(n, 5);
     let mut rest = DVector::zeros(n);
     for (i, &a) in angles.iter().enumerate() {
-        let (row, _) = regressors::tilting(RADIUS, a);
+        let (row, _) = tilting::tilting(RADIUS, a);
         rest[i] = readings[i][0] - (0..5).map(|j| row[2 + j] * k[j]).sum::<f64>();
         own.row_mut(i).copy_from_slice(&[row[0], row[1], row[7], row[8], row[9]]);
     }
     let e = solve(own, rest);
-    let [f1, f2] = regressors::e_xa(RADIUS, FRAC_PI_2);
+    let [f1, f2] = tilting::e_xa(RADIUS, FRAC_PI_2);
     e[0] * f1 + e[1] * f2
 }
 
@@ -62,13 +62,13 @@ fn main() {
     macro_rules! stream {
         ($estimator:ident, $t:ty) => {
             |angles: &[$t], readings: &[[$t; 2]]| {
-                let mut fit = $estimator::new(RADIUS as $t).expect("a radius");
+                let mut fit = $estimator::new(Lengths { r: RADIUS as $t }).expect("a radius");
                 for (&a, y) in angles.iter().zip(readings) {
-                    fit.push_tilting(a, y[0], [0.0, 0.0]).expect("a sample");
+                    fit.push_tilting(a, y[0], 0.0, 0.0).expect("a sample");
                     fit.push_separation(a, y[1]).expect("a sample");
                 }
                 let estimate = fit.solve().expect("a whole turn");
-                f64::from(estimate.eps_xa(FRAC_PI_2 as $t).expect("an angle").0)
+                f64::from(estimate.e_xa(FRAC_PI_2 as $t).expect("an angle").0)
             }
         };
     }

@@ -1,0 +1,62 @@
+//! What an estimator gives: the base parameters, and the estimated functions at a coordinate.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::function::docs;
+use super::model::{Estimated, Printed};
+use super::{LOCAL, blank, ident};
+use crate::emit::model::unit;
+use crate::emit::names::Scope;
+
+pub(super) fn estimate(printed: &Printed) -> TokenStream {
+    let (module, real, size, blank) =
+        (&printed.support.module, &printed.support.real, printed.size(), blank(printed.support));
+    let (name, lengths) = (printed.type_name("Estimate"), printed.lengths_type());
+    let mut methods = Scope::new(LOCAL, &["lengths"]);
+    let values = printed.functions.iter().filter_map(|f| value(printed, f, &mut methods));
+    quote! {
+        /// What the samples give.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct #name<T> {
+            lengths: #lengths,
+            /// The base parameters in the order of `NAMES` with their covariance; lengths in mm, angles in rad.
+            pub solution: #module::Solution<T, #size>,
+        }
+        #blank
+        impl<T: #real> #name<T> {
+            /// The lengths of the set-up, mm.
+            pub fn lengths(&self) -> #lengths {
+                self.lengths
+            }
+            #(#blank #values)*
+        }
+    }
+}
+
+/// A function's value and standard deviation; `None` if not all its coefficients are estimated.
+fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Option<TokenStream> {
+    let module = &printed.support.module;
+    let (function, model) = (&estimated.function, printed.model);
+    let places = function.coefficients.as_ref()?.iter().map(|b| Literal::usize_unsuffixed((*b).into()));
+    let error = model.functions[function.function].error;
+    let (name, unit) = (model.alphabet.error_name(error), unit(model.alphabet.error_quantity(error)));
+    let called = ident(&methods.claim(&function.basis.name));
+    let basis = printed.path(&estimated.name);
+    let lengths = printed.own_lengths();
+    let input = function.basis.inputs.last()?;
+    let x = Scope::new(LOCAL, &[]).claim(&input.name);
+    let doc = docs(&[
+        format!("The function `{name}` and its standard deviation, {unit}, at `{x}`, the {}.", input.meaning),
+        String::new(),
+        "# Errors".to_owned(),
+        "The result is not a finite number, as at a coordinate that is none.".to_owned(),
+    ]);
+    let x = ident(&x);
+    Some(quote! {
+        #doc
+        pub fn #called(&self, #x: T) -> Result<(T, T), #module::NotFinite> {
+            #module::value(&self.solution, &[#(#places),*], &#basis(#lengths #x))
+        }
+    })
+}

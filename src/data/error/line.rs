@@ -1,0 +1,106 @@
+//! What can be wrong with a line.
+
+use thiserror::Error;
+
+use super::words::Degrees;
+
+/// A line that is not usable.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{problem}")]
+pub struct LineProblem {
+    /// The line, counted from 1.
+    pub line: u64,
+    /// What is wrong with it.
+    #[source]
+    pub problem: FieldProblem,
+}
+
+/// What is wrong with a line.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FieldProblem {
+    /// Too few or too many fields.
+    #[error("{found} field(s) in a file of {expected} columns\n  expected {expected} numbers separated by commas")]
+    Count {
+        /// Fields in the line.
+        found: usize,
+        /// Columns in the header.
+        expected: usize,
+    },
+    /// Twice as many fields as columns: commas in the numbers too.
+    #[error(
+        "{found} fields in a file of {expected} columns: decimal commas?\n  expected points in numbers (12.5) and commas between them"
+    )]
+    DecimalCommas {
+        /// Fields in the line.
+        found: usize,
+        /// Columns in the header.
+        expected: usize,
+    },
+    /// The last line stops in its middle.
+    #[error(
+        "the file is cut short: its last line ends within {column}, without a line end\n  expected a whole last line: copy the file again"
+    )]
+    CutShort {
+        /// The column it ends in.
+        column: String,
+    },
+    /// Nothing in a field.
+    #[error("no value in column {column}\n  expected a number such as 12.5")]
+    Blank {
+        /// The field's column.
+        column: String,
+    },
+    /// No number in a field.
+    #[error("{text:?} in column {column} is not a number\n  expected a number such as 12.5")]
+    Text {
+        /// The field's column.
+        column: String,
+        /// The field, or its beginning.
+        text: String,
+    },
+    /// A comma within a number.
+    #[error("{text:?} in column {column} has a decimal comma\n  expected a decimal point, such as 12.5")]
+    DecimalComma {
+        /// The field's column.
+        column: String,
+        /// The field.
+        text: String,
+    },
+    /// NaN or infinite.
+    #[error(
+        "{text:?} in column {column} is not finite\n  expected a number such as 12.5; remove the line if nothing was measured"
+    )]
+    NotFinite {
+        /// The field's column.
+        column: String,
+        /// The field.
+        text: String,
+    },
+    /// An angle that was there already.
+    #[error("the angle {} is already on line {first}\n  expected each angle once in a file: give the mean of repeated readings, or remove one of the lines", Degrees(*.angle_rad))]
+    RepeatedAngle {
+        /// The angle, rad.
+        angle_rad: f64,
+        /// Where it stands first.
+        first: u64,
+    },
+    /// A single reading that no ball-bar gives.
+    #[error(
+        "a reading of {reading_mm} mm is beyond the stroke of a ball-bar, about ±1 mm\n  remove the line if it is a slip of the file or of the measurement"
+    )]
+    BeyondStroke {
+        /// The reading, mm.
+        reading_mm: f64,
+    },
+    /// A table's node with two different values.
+    #[error("the angle {} has another value of {function} on line {first}\n  expected one value for an angle: remove one of the lines", Degrees(*.angle_rad))]
+    TwoValues {
+        /// The angle, rad.
+        angle_rad: f64,
+        /// Where it stands first.
+        first: u64,
+        /// The function that differs.
+        function: String,
+    },
+}

@@ -1,0 +1,237 @@
+//! What can be wrong with a file of numbers, and how it is said.
+
+mod header;
+mod line;
+mod words;
+
+use std::fmt;
+use std::io;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+pub use header::HeaderProblem;
+pub use line::{FieldProblem, LineProblem};
+
+use header::Joined;
+use words::{Degrees, List};
+
+/// Bad lines shown of one file; the rest are counted.
+const SHOWN: usize = 5;
+
+/// A file that cannot be used, and why.
+///
+/// Shown as `path:line: what is wrong` with the remedy indented on the line below it, one such pair for each bad line.
+#[derive(Debug, Error)]
+pub struct FileError {
+    /// The file.
+    pub file: PathBuf,
+    /// What is wrong with it.
+    #[source]
+    pub problem: FileProblem,
+}
+
+/// What is wrong with a file.
+#[derive(Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FileProblem {
+    /// No such file.
+    #[error("no such file\n  expected a CSV file with the columns {}", List(.columns))]
+    Missing {
+        /// The columns such a file has.
+        columns: Vec<String>,
+    },
+    /// A directory.
+    #[error("this is a directory\n  expected a CSV file with the columns {}", List(.columns))]
+    Directory {
+        /// The columns such a file has.
+        columns: Vec<String>,
+    },
+    /// The operating system refuses.
+    #[error("cannot be read: {0}")]
+    Unreadable(io::ErrorKind),
+    /// Nothing but comments and empty lines.
+    #[error("the file is empty\n  expected a header line with the columns {}", List(.columns))]
+    Empty {
+        /// The columns such a file has.
+        columns: Vec<String>,
+    },
+    /// Not UTF-8.
+    #[error("not UTF-8 text{}\n  save the file as plain CSV in UTF-8", .utf16.then_some(" but UTF-16").unwrap_or_default())]
+    NotUtf8 {
+        /// The line of the first bad byte.
+        line: u64,
+        /// It begins with a UTF-16 byte order mark.
+        utf16: bool,
+    },
+    /// Fields divided by something else than commas.
+    #[error(
+        "fields are separated by {separator}\n  expected commas between fields and points in numbers: replace decimal commas by points first, then {separator} by commas"
+    )]
+    Separator {
+        /// The header's line.
+        line: u64,
+        /// What stands between the fields.
+        separator: Separator,
+    },
+    /// The header's columns are not those expected.
+    #[error("{}", Joined(.problems))]
+    Header {
+        /// The header's line.
+        line: u64,
+        /// Everything wrong with it.
+        problems: Vec<HeaderProblem>,
+    },
+    /// Lines that are not usable, in the file's order.
+    #[error("{} bad lines", .0.len())]
+    Lines(Vec<LineProblem>),
+    /// Fewer samples than needed.
+    #[error("too few {}: {present} present, at least {needed} needed\n  expected {why}", .why.counted())]
+    TooFew {
+        /// Samples in the file.
+        present: usize,
+        /// Samples needed.
+        needed: usize,
+        /// What needs them.
+        why: Need,
+    },
+    /// Bar lengths where radial deviations belong.
+    #[error(
+        "readings look like absolute lengths near {near_mm} mm (median {median_mm:.3} mm)\n  expected radial deviations from the radius: subtract {radius_mm} mm from each reading"
+    )]
+    AbsoluteLengths {
+        /// Median of the readings, mm.
+        median_mm: f64,
+        /// The same, rounded to what a bar's length would be.
+        near_mm: f64,
+        /// The radius given, mm.
+        radius_mm: f64,
+    },
+    /// Deviations larger than the bar can measure.
+    #[error(
+        "readings of {median_mm:.3} mm (median) are beyond the stroke of a ball-bar, about ±1 mm\n  expected radial deviations: is the unit in {column} right? If they are absolute lengths, subtract the bar's (which is then not the radius given, {radius_mm} mm)"
+    )]
+    BeyondStroke {
+        /// Median of the absolute readings, mm.
+        median_mm: f64,
+        /// The radius given, mm.
+        radius_mm: f64,
+        /// The readings' column.
+        column: String,
+    },
+    /// Angles of more turns than an axis makes in a run.
+    #[error("angles reach {angle:.1} rad, {turns:.1} turns\n  expected at most {most} turns: are the angles in {column} degrees? Then name it with _deg", angle = .angle_rad, turns = .angle_rad / std::f64::consts::TAU)]
+    ManyTurns {
+        /// The largest angle, without its sign, rad.
+        angle_rad: f64,
+        /// Turns taken.
+        most: f64,
+        /// The angles' column.
+        column: String,
+    },
+    /// Samples outside a table's range; the file is the samples'.
+    #[error("{} samples outside the range of {}", .samples.len(), .table.display())]
+    OutsideTable {
+        /// The table's file.
+        table: PathBuf,
+        /// First and last node, rad.
+        range: (f64, f64),
+        /// Line and angle in rad of each sample outside.
+        samples: Vec<(u64, f64)>,
+    },
+}
+
+/// What a smallest number of samples is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum Need {
+    /// A sample at least for each coefficient to fit.
+    #[error("at least one sample for each of the coefficients to fit")]
+    Coefficients,
+    /// Two nodes to interpolate between.
+    #[error("at least two angles to interpolate between")]
+    Interpolation,
+    /// Touches of a probe.
+    #[error("that many lines of numbers below the header")]
+    Touches,
+}
+
+impl Need {
+    const fn counted(self) -> &'static str {
+        match self {
+            Need::Coefficients => "samples",
+            Need::Interpolation => "angles",
+            Need::Touches => "touches",
+        }
+    }
+}
+
+/// Separators that are not commas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum Separator {
+    /// `;`
+    #[error("semicolons")]
+    Semicolon,
+    /// A tabulator.
+    #[error("tabs")]
+    Tab,
+}
+
+impl From<io::Error> for FileProblem {
+    fn from(error: io::Error) -> Self {
+        FileProblem::Unreadable(error.kind())
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let file = self.file.display();
+        match &self.problem {
+            FileProblem::Lines(lines) => {
+                for (at, bad) in lines.iter().take(SHOWN).enumerate() {
+                    if at > 0 {
+                        writeln!(f)?;
+                    }
+                    write!(f, "{file}:{}: {}", bad.line, bad.problem)?;
+                }
+                more(f, lines.len())
+            }
+            FileProblem::OutsideTable { table, range, samples } => {
+                let (low, high) = (Degrees(range.0), Degrees(range.1));
+                for (at, (line, angle)) in samples.iter().take(SHOWN).enumerate() {
+                    if at > 0 {
+                        writeln!(f)?;
+                    }
+                    let angle = Degrees(*angle);
+                    write!(f, "{file}:{line}: the sample's angle {angle} is outside the table {}", table.display())?;
+                }
+                more(f, samples.len())?;
+                write!(
+                    f,
+                    "\n  expected angles from {low} to {high}, the table's range: extend the table or leave these samples out"
+                )
+            }
+            FileProblem::Header { line, problems } => {
+                for (at, problem) in problems.iter().enumerate() {
+                    if at > 0 {
+                        writeln!(f)?;
+                    }
+                    write!(f, "{file}:{line}: {problem}")?;
+                }
+                Ok(())
+            }
+            FileProblem::NotUtf8 { line, .. } | FileProblem::Separator { line, .. } => {
+                write!(f, "{file}:{line}: {}", self.problem)
+            }
+            _ => write!(f, "{file}: {}", self.problem),
+        }
+    }
+}
+
+fn more(f: &mut fmt::Formatter<'_>, total: usize) -> fmt::Result {
+    match total.saturating_sub(SHOWN) {
+        0 => Ok(()),
+        rest => write!(f, "\n… and {rest} more, {total} bad lines in all"),
+    }
+}

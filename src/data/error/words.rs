@@ -1,0 +1,39 @@
+//! Angles, names and lists as messages show them.
+
+use std::fmt;
+
+use crate::data::unit::Unit;
+
+/// An angle in rad, shown in degrees without the last digits of the conversion and without a sign at zero.
+pub(super) struct Degrees(pub(super) f64);
+
+impl fmt::Display for Degrees {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}°", Unit::Deg.decimal(self.0 + 0.0).trim_end_matches(".0"))
+    }
+}
+
+/// Names with commas between them.
+pub(super) struct List<'a>(pub(super) &'a [String]);
+
+impl fmt::Display for List<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.join(", "))
+    }
+}
+
+/// A name in each of its units; alone where it has none.
+pub(super) struct Names<'a>(pub(super) &'a str, pub(super) &'a [Unit]);
+
+impl fmt::Display for Names<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.1.is_empty() {
+            return f.write_str(self.0);
+        }
+        for (at, unit) in self.1.iter().enumerate() {
+            let between = if at > 0 { " or " } else { "" };
+            write!(f, "{between}{}_{unit}", self.0)?;
+        }
+        Ok(())
+    }
+}

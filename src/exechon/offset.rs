@@ -1,0 +1,91 @@
+//! A probe's offset from touches in a ring, with and without the dependent rotation.
+
+use super::input::{InputError, TouchLine, touches};
+use super::{ALONG, rotation_at};
+use std::f64::consts::PI;
+use std::path::Path;
+use trunnion_solver::exechon::Machine;
+use trunnion_solver::probe::{OffsetFit, Reversal, Touch, offset};
+
+/// Fewest touches of an offset: one more than its unknowns.
+const LEAST: usize = 5;
+
+/// The ring and how well it and a touch are known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gauge {
+    /// The ring's radius less the stylus ball's, mm.
+    pub radius: f64,
+    /// Standard deviation of a touch, mm.
+    pub touch: f64,
+    /// Standard uncertainty of the ring's radius, mm.
+    pub ring: f64,
+}
+
+/// What the touches say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OffsetReport {
+    /// The probe turned by the spindle less the dependent rotation.
+    pub with_rotation: OffsetFit<f64>,
+    /// The probe turned by the spindle alone.
+    pub spindle_alone: OffsetFit<f64>,
+    /// (8) and (9), where the touches are the paper's.
+    pub reversal: Option<ReversalReport>,
+}
+
+/// The paper's formulas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReversalReport {
+    /// The offset, mm.
+    pub exact: [f64; 2],
+    /// The same for small angles, mm.
+    pub small_angle: [f64; 2],
+    /// Standard uncertainty, mm.
+    pub uncertainty: [f64; 2],
+}
+
+/// The offset from a file of touches (`x_mm,y_mm,z_mm,spindle_deg`).
+///
+/// # Errors
+/// [`InputError`].
+pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Result<OffsetReport, InputError> {
+    let turned = |&TouchLine { line, position, spindle }: &TouchLine| {
+        let rotation = rotation_at(machine, position, ALONG).map_err(|problem| InputError::Point {
+            file: file.to_owned(),
+            line,
+            problem,
+        })?;
+        Ok(([position[0], position[1]], spindle, spindle - rotation))
+    };
+    let touched = touches(file, None, LEAST)?.iter().map(turned).collect::<Result<Vec<_>, InputError>>()?;
+    let fit = |touches: Vec<Touch<f64>>| {
+        offset(&touches, gauge.touch).map_err(|problem| InputError::Offset { file: file.to_owned(), problem })
+    };
+    let with = |&(position, _, turned): &([f64; 2], f64, f64)| Touch { position, turned };
+    let alone = |&(position, turned, _): &([f64; 2], f64, f64)| Touch { position, turned };
+    let with_rotation: Vec<Touch<f64>> = touched.iter().map(with).collect();
+    let reversal = reversal(&with_rotation, gauge);
+    let spindle_alone = touched.iter().map(alone).collect();
+    Ok(OffsetReport { with_rotation: fit(with_rotation)?, spindle_alone: fit(spindle_alone)?, reversal })
+}
+
+/// (8) and (9) where the touches are the paper's: both ways along x and y, then +x and +y with the spindle reversed.
+fn reversal(touches: &[Touch<f64>], gauge: &Gauge) -> Option<ReversalReport> {
+    let near = |angle: f64, to: f64| ((angle - to) / 2.0).sin().abs() < 0.02;
+    let at = |to: f64| touches.iter().filter(move |touch| near(touch.turned, to)).map(|touch| touch.position);
+    let range = |k: usize, to: f64| {
+        at(to).map(|p| p[k]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)))
+    };
+    if at(0.0).count() != 4 || at(PI).count() < 2 {
+        return None;
+    }
+    let middle = |(low, high): (f64, f64)| (low + high) / 2.0;
+    let centre = [middle(range(0, 0.0)), middle(range(1, 0.0))];
+    let farthest = |k: usize| at(PI).max_by(|a, b| a[k].total_cmp(&b[k]));
+    let touches = Reversal { centre, x: farthest(0)?, y: farthest(1)?, radius: gauge.radius };
+    let covariance = touches.covariance(gauge.touch, gauge.ring).ok()?;
+    Some(ReversalReport {
+        exact: touches.exact().ok()?,
+        small_angle: touches.small_angle(),
+        uncertainty: [covariance[0][0].sqrt(), covariance[1][1].sqrt()],
+    })
+}

@@ -1,0 +1,3 @@
+fn main() -> Result<(), trunnion_codegen::build::Failed> {
+    trunnion_codegen::build::model("rotary-table.toml")
+}
