@@ -1,7 +1,8 @@
 //! `trunnion exechon drm`: the dependent rotation of poses, over the workspace, around a ring.
 
+use super::Failed;
+use super::arguments::{FrameName, TiltedName, Which, degrees, numbers};
 use super::spool::{Spool, picture, print};
-use super::{Failed, FrameName, TiltedName, Which, degrees, numbers};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;

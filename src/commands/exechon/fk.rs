@@ -1,7 +1,8 @@
 //! `trunnion exechon fk`: from struts and axes to poses, one line at a time.
 
+use super::Failed;
+use super::arguments::{FrameName, TiltedName, Which, degrees};
 use super::spool::{Spool, picture};
-use super::{Failed, FrameName, TiltedName, Which, degrees};
 use clap::Args;
 use std::path::PathBuf;
 use trunnion::exechon::{forward, machine_picture};

@@ -1,7 +1,8 @@
 //! `trunnion exechon ik`: from poses to struts and axes, one line at a time.
 
+use super::Failed;
+use super::arguments::{FrameName, TiltedName, Which, degrees};
 use super::spool::{Spool, picture};
-use super::{Failed, FrameName, TiltedName, Which, degrees};
 use clap::Args;
 use std::path::PathBuf;
 use trunnion::exechon::{inverse, machine_picture};

@@ -1,5 +1,6 @@
 //! `trunnion exechon`: on-machine measurement on a parallel machine whose tool turns as it moves.
 
+mod arguments;
 mod drm;
 mod failed;
 mod fk;
@@ -13,10 +14,7 @@ mod spool;
 pub use failed::Failed;
 
 use super::Refused;
-use clap::{Args, Subcommand, ValueEnum};
-use std::path::PathBuf;
-use trunnion::exechon::{Coordinates, read_machine};
-use trunnion_solver::exechon::{Machine, Tilted};
+use clap::Subcommand;
 
 /// Commands for the parallel machine.
 #[derive(Debug, Subcommand)]
@@ -51,68 +49,4 @@ impl Exechon {
         };
         Ok(done?)
     }
-}
-
-/// Which machine.
-#[derive(Debug, Args)]
-struct Which {
-    /// A machine file; without it the built-in src/exechon/xt700.toml.
-    #[arg(long, value_name = "FILE")]
-    machine: Option<PathBuf>,
-}
-
-impl Which {
-    fn read(&self) -> Result<Machine<f64>, Failed> {
-        let name = self.machine.clone().unwrap_or_else(|| "src/exechon/xt700.toml".into());
-        read_machine(self.machine.as_deref()).map_err(|problem| Failed::Machine(name, problem))
-    }
-}
-
-/// Coordinates of points and directions in files.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum FrameName {
-    /// Of the base: between the outer gimbals, z towards the platform.
-    Base,
-    /// Of the machine: the tool's at home.
-    Machine,
-}
-
-impl From<FrameName> for Coordinates {
-    fn from(name: FrameName) -> Self {
-        match name {
-            FrameName::Base => Self::Base,
-            FrameName::Machine => Self::Machine,
-        }
-    }
-}
-
-/// What φ is counted from where the tool does not point as at home.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum TiltedName {
-    /// From the machine's x axis seen along the tool: (7) as it stands.
-    Projected,
-    /// From home's orientation carried to the tool's direction by the smallest rotation.
-    Carried,
-}
-
-impl From<TiltedName> for Tilted {
-    fn from(name: TiltedName) -> Self {
-        match name {
-            TiltedName::Projected => Self::Projected,
-            TiltedName::Carried => Self::Carried,
-        }
-    }
-}
-
-/// Degrees, without a negative zero.
-fn degrees(angle: f64) -> f64 {
-    angle.to_degrees() + 0.0
-}
-
-/// `X,Y,…` as N numbers.
-fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let values: Result<Vec<f64>, _> = text.split(',').map(|field| field.trim().parse::<f64>()).collect();
-    let values = values.ok().filter(|values| values.iter().all(|v| v.is_finite()));
-    let array = values.and_then(|values| <[f64; N]>::try_from(values).ok());
-    array.ok_or_else(|| format!("expected {N} numbers separated by commas, such as {}", ["1.5"; N].join(",")))
 }

@@ -1,7 +1,8 @@
 //! `trunnion exechon offset`: a probe's offset from touches in a ring.
 
+use super::Failed;
+use super::arguments::Which;
 use super::spool::print;
-use super::{Failed, Which};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;

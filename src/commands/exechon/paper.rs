@@ -1,7 +1,8 @@
 //! `trunnion exechon paper`: section 4 on the model, beside what was measured.
 
+use super::Failed;
+use super::arguments::Which;
 use super::spool::print;
-use super::{Failed, Which};
 use clap::Args;
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -1,7 +1,8 @@
 //! `trunnion exechon plan`: where to touch a feature, with which spindle angle.
 
+use super::Failed;
+use super::arguments::{Which, numbers};
 use super::spool::{Spool, print};
-use super::{Failed, Which, numbers};
 use clap::{Args, ValueEnum};
 use trunnion::exechon::{Feature, plan, ring_program};
 

@@ -1,7 +1,8 @@
 //! `trunnion exechon ring`: what a probed ring shows.
 
+use super::Failed;
+use super::arguments::{Which, numbers};
 use super::spool::{picture, print};
-use super::{Failed, Which, numbers};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;

@@ -1,0 +1,71 @@
+//! Arguments that several of the commands take.
+
+use super::Failed;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+use trunnion::exechon::{Coordinates, read_machine};
+use trunnion_solver::exechon::{Machine, Tilted};
+
+/// Which machine.
+#[derive(Debug, Args)]
+pub struct Which {
+    /// A machine file; without it the built-in src/exechon/xt700.toml.
+    #[arg(long, value_name = "FILE")]
+    machine: Option<PathBuf>,
+}
+
+impl Which {
+    pub fn read(&self) -> Result<Machine<f64>, Failed> {
+        let name = self.machine.clone().unwrap_or_else(|| "src/exechon/xt700.toml".into());
+        read_machine(self.machine.as_deref()).map_err(|problem| Failed::Machine(name, problem))
+    }
+}
+
+/// Coordinates of points and directions in files.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum FrameName {
+    /// Of the base: between the outer gimbals, z towards the platform.
+    Base,
+    /// Of the machine: the tool's at home.
+    Machine,
+}
+
+impl From<FrameName> for Coordinates {
+    fn from(name: FrameName) -> Self {
+        match name {
+            FrameName::Base => Self::Base,
+            FrameName::Machine => Self::Machine,
+        }
+    }
+}
+
+/// What φ is counted from where the tool does not point as at home.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum TiltedName {
+    /// From the machine's x axis seen along the tool: (7) as it stands.
+    Projected,
+    /// From home's orientation carried to the tool's direction by the smallest rotation.
+    Carried,
+}
+
+impl From<TiltedName> for Tilted {
+    fn from(name: TiltedName) -> Self {
+        match name {
+            TiltedName::Projected => Self::Projected,
+            TiltedName::Carried => Self::Carried,
+        }
+    }
+}
+
+/// Degrees, without a negative zero.
+pub fn degrees(angle: f64) -> f64 {
+    angle.to_degrees() + 0.0
+}
+
+/// `X,Y,…` as N numbers.
+pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let values: Result<Vec<f64>, _> = text.split(',').map(|field| field.trim().parse::<f64>()).collect();
+    let values = values.ok().filter(|values| values.iter().all(|v| v.is_finite()));
+    let array = values.and_then(|values| <[f64; N]>::try_from(values).ok());
+    array.ok_or_else(|| format!("expected {N} numbers separated by commas, such as {}", ["1.5"; N].join(",")))
+}
