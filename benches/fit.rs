@@ -3,7 +3,7 @@
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::f64::consts::TAU;
 use std::hint::black_box;
-use trunnion::study::{self, Estimator, Limits, Plan, Setup};
+use trunnion::study::{self, Draws, ErrorLimits, Estimator, Setup};
 use trunnion_codegen::catalogue;
 use trunnion_solver::tilting::{self, Joint, Lengths, TwoStep};
 
@@ -52,10 +52,11 @@ fn monte_carlo(c: &mut Criterion) {
     let model = catalogue::model("tilting-table-a").expect("in the catalogue").expect("a model");
     let setup = Setup::new(model, &[("R", 150.0)]).expect("a set-up");
     let function = setup.estimated().next().expect("an estimated function");
-    let plan = Plan { trials: 16, samples: SAMPLES, range: (0.0, TAU), limits: Limits::PAPER, noise: 1e-4, seed: 1 };
+    let draws =
+        Draws { trials: 16, samples: SAMPLES, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: 1e-4, seed: 1 };
     let mut group = c.benchmark_group("study");
-    group.throughput(Throughput::Elements(plan.trials)).sample_size(20);
-    let run = |()| study::monte_carlo(&setup, plan, Estimator::Joint, function, &|| {});
+    group.throughput(Throughput::Elements(draws.trials)).sample_size(20);
+    let run = |()| study::monte_carlo(&setup, draws, Estimator::Joint, function, &|| {});
     group.bench_function("Monte Carlo trials", |b| b.iter_batched(|| (), run, BatchSize::PerIteration));
     group.finish();
 }

@@ -1,6 +1,42 @@
-//! Facade of the workspace: what the command line and other programs use.
+//! Trunnion derives, fits and embeds the measurement models of multi-axis machine tools.
+//!
+//! From the files of an instrument to a report: the model says what each run reads, the fit finds the machine's errors in the
+//! readings, the report gives them with their uncertainty and what to be wary of.
+//!
+//! ```
+//! use trunnion::{Estimator, Setup, data, study};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # std::env::set_current_dir("tests/reference/tilting-table/full")?;
+//! let setup = Setup::from_catalogue("tilting-table-a", &[("R", 150.0)])?;
+//! let runs = [("tilting", "tilting.csv"), ("separation", "separation.csv")];
+//! let observations = data::observations(&setup, &runs, Some("table.csv".as_ref()))?;
+//! let fit = study::fit(&setup, &observations, Estimator::Joint)?;
+//! let report = study::report(&setup, &observations, &fit, study::ErrorLimits::PAPER, false)?;
+//! println!("{report}");
+//!
+//! let eps_xa = &report.functions[0];
+//! assert_eq!((eps_xa.name.as_str(), eps_xa.unit, eps_xa.points.len()), ("eps_xa", data::Unit::Urad, 72));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! A model of one's own is read by [`Setup::from_description`]; [`trunnion_codegen`] describes, derives and prints models, and
+//! [`trunnion_solver`] fits them in a controller, without heap and without `std`.
+//!
+//! | to | see |
+//! |---|---|
+//! | read and write measurement files | [`data`] |
+//! | fit, report, simulate, study | [`study`] |
+//! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
+//! | draw readings, estimates, rings as SVG | [`plot`] |
+//! | measure on a parallel machine of Exechon type | [`exechon`] |
+//!
+//! Lengths are in mm and angles in rad wherever a name or a [`data::Unit`] does not say otherwise.
 
 pub mod data;
 pub mod exechon;
 pub mod plot;
 pub mod study;
+
+pub use study::{Estimator, Setup};

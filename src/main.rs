@@ -16,17 +16,17 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// The paper in one command: derive, simulate, fit, and what was recovered against the truth.
-    Demo(commands::demo::Demo),
+    Demo(commands::demo::DemoArguments),
     /// Equations, base parameters and source code of a model.
-    Derive(commands::derive::Derive),
+    Derive(commands::derive::DeriveArguments),
     /// Measurement files of a drawn machine, from exact lengths.
-    Simulate(commands::simulate::Simulate),
+    Simulate(commands::simulate::SimulateArguments),
     /// Errors and their uncertainty from measurement files.
-    Fit(commands::fit::Fit),
+    Fit(commands::fit::FitArguments),
     /// What intended runs would tell: ranges, radii and subsets of runs compared, and which added run tells more.
-    Plan(commands::plan::Plan),
+    Plan(commands::plan::PlanArguments),
     /// Distribution of the largest error of an estimated function over many drawn machines.
-    MonteCarlo(commands::monte_carlo::MonteCarlo),
+    MonteCarlo(commands::monte_carlo::MonteCarloArguments),
     /// The parallel machine: kinematics, dependent rotation, probe offset, ring test.
     #[command(subcommand)]
     Exechon(commands::exechon::Exechon),

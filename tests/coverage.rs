@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use trunnion::study::{Estimator, Limits, Plan, Setup, Spread, draw, fit, grid, monte_carlo};
+use trunnion::study::{Draws, ErrorLimits, Estimator, Setup, Spread, draw, fit, grid, monte_carlo};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::ErrorValues;
@@ -25,7 +25,7 @@ fn setup() -> Setup {
 fn the_band_covers_the_truth_in_95_of_100_machines() {
     const ANGLES: [f64; 5] = [30.0, 90.0, 150.0, 210.0, 300.0];
     // A thousandth of the paper's errors: what linearisation drops is a millionth.
-    let limits = Limits { length: Limits::PAPER.length * 1e-3, angle: Limits::PAPER.angle * 1e-3 };
+    let limits = ErrorLimits { length: ErrorLimits::PAPER.length * 1e-3, angle: ErrorLimits::PAPER.angle * 1e-3 };
     let setup = setup();
     let function = setup.estimated().next().unwrap();
     let error = setup.model.functions[function].error;
@@ -77,9 +77,10 @@ fn the_largest_error_is_distributed_as_in_an_independent_study() {
     ];
     let setup = setup();
     let function = setup.estimated().next().unwrap();
-    let plan = Plan { trials: MACHINES, samples: 360, range: (0.0, TAU), limits: Limits::PAPER, noise: NOISE, seed: 1 };
+    let draws =
+        Draws { trials: MACHINES, samples: 360, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: NOISE, seed: 1 };
     for Independent { estimator, noise, linearisation, both } in independent {
-        let trials = monte_carlo(&setup, plan, estimator, function, &|| ()).unwrap();
+        let trials = monte_carlo(&setup, draws, estimator, function, &|| ()).unwrap();
         let compare = |what: &str, values: Vec<f64>, (mean, p95): (f64, f64)| {
             let spread = Spread::of(values.into_iter().map(|x| x * 1e6).collect()).unwrap();
             println!("{estimator:?}, {what}: {:.3} and {:.3}; study {mean} and {p95}", spread.mean, spread.p95);
@@ -99,8 +100,8 @@ fn a_machine_does_not_depend_on_the_number_of_others() {
     let setup = setup();
     let function = setup.estimated().next().unwrap();
     let run = |trials| {
-        let plan = Plan { trials, samples: 36, range: (0.0, TAU), limits: Limits::PAPER, noise: NOISE, seed: 5 };
-        monte_carlo(&setup, plan, Estimator::Joint, function, &|| ()).unwrap()
+        let draws = Draws { trials, samples: 36, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: NOISE, seed: 5 };
+        monte_carlo(&setup, draws, Estimator::Joint, function, &|| ()).unwrap()
     };
     assert_eq!(run(20)[..7], run(7)[..]);
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 use trunnion::data::{
-    Dimension, FileError, FileProblem, Known, Radius, RadiusError, Sweep, Table, Truth, TruthFunction, Unit,
+    FileError, FileProblem, Known, Quantity, Radius, RadiusError, Sweep, Table, Truth, TruthFunction, Unit,
     WriteProblem, write_atomically,
 };
 
@@ -19,11 +19,11 @@ fn radius() -> Radius {
 }
 
 fn lengths() -> [Known; 2] {
-    ["dya", "dza"].map(|name| Known { name: name.into(), dimension: Dimension::Length })
+    ["dya", "dza"].map(|name| Known { name: name.into(), quantity: Quantity::Length })
 }
 
 fn angles(name: &str) -> [Known; 1] {
-    [Known { name: name.into(), dimension: Dimension::Angle }]
+    [Known { name: name.into(), quantity: Quantity::Angle }]
 }
 
 /// A file of its own directory, which goes with it.

@@ -5,7 +5,6 @@ use std::fmt::Write;
 use trunnion_codegen::algebra::{Alphabet, Fraction, Order, Poly};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations::{self, Printer, Style};
-use trunnion_codegen::emit::rust::{Support, model_source};
 use trunnion_codegen::identify::{Derivation, derive};
 use trunnion_codegen::ids::{ParameterId, RunId};
 use trunnion_codegen::measurement;
@@ -129,6 +128,36 @@ fn equation(model: &Model, derivation: &Derivation, run: RunId) -> Linear {
     out
 }
 
+/// An equation over several lines where it is long, cut between the terms that stand in no parentheses.
+fn one_term_a_line(equation: &str) -> String {
+    let words: Vec<&str> = equation.split_whitespace().collect();
+    let long = words.join(" ").chars().count() > 100;
+    let mut open = 0_i32;
+    let mut out = String::new();
+    for word in words {
+        let cut = long && open == 0 && ["+", "-", "−"].contains(&word) && !out.is_empty();
+        out += if cut {
+            "\n            "
+        } else if out.is_empty() {
+            ""
+        } else {
+            " "
+        };
+        out += word;
+        open += word.matches('(').count() as i32 - word.matches(')').count() as i32;
+    }
+    out
+}
+
+/// JSON with its long texts over several lines, for reading.
+fn readable(json: &str) -> String {
+    let line = |line: &str| match line.chars().count() > 100 {
+        true => line.replace(" + ", "\n          + "),
+        false => line.to_owned(),
+    };
+    json.lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
 #[test]
 fn every_printed_equation_beside_the_derived_one() {
     let (model, derivation) = paper();
@@ -138,13 +167,16 @@ fn every_printed_equation_beside_the_derived_one() {
         "K. I. Lee, D. M. Lee, S. H. Yang: Measurement of Angular Positioning Error for a Tilting Table\n",
     );
     let mut section = |number: &str, printed_text: &str, derived_text: &str, verdict: &str| {
-        let one_line = printed_text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let _ = write!(out, "\n({number})\n  printed   {one_line}\n  derived   {derived_text}\n{verdict}");
+        let [printed, derived] = [printed_text, derived_text].map(one_term_a_line);
+        let _ = write!(out, "\n({number})\n  printed   {printed}\n  derived   {derived}\n{verdict}");
     };
     let document: Vec<String> = equations::text(&model, &derivation).lines().map(str::to_owned).collect();
     let shown = |after: &str, nth: usize| -> String {
         let at = document.iter().position(|l| l.starts_with(after)).unwrap();
-        document[at..].iter().filter(|l| l.starts_with("  ΔR")).nth(nth).unwrap().trim().to_owned()
+        let (start, _) = document[at..].iter().enumerate().filter(|(_, l)| l.starts_with("  ΔR")).nth(nth).unwrap();
+        let rest = document[at + start + 1..].iter().take_while(|l| l.starts_with("    "));
+        let parts: Vec<&str> = [&document[at + start]].into_iter().chain(rest).map(|l| l.trim()).collect();
+        parts.join(" ")
     };
 
     let verdict = differences(&printed(PRINTED_5, &model, "a"), &reading(&model, &derivation, tilting), alphabet);
@@ -224,11 +256,10 @@ fn every_printed_equation_beside_the_derived_one() {
 }
 
 #[test]
-fn the_derivation_in_every_form() {
+fn the_derivation_for_a_program() {
     let (model, derivation) = paper();
     assert_eq!(derivation.rank(), 11);
     insta::with_settings!({ snapshot_path => "../snapshots", prepend_module_to_snapshot => false, omit_expression => true }, {
-        insta::assert_snapshot!("tilting-table-a.rust", model_source(&model, &derivation, &Support::of_solver()).unwrap());
-        insta::assert_snapshot!("tilting-table-a.json", format!("{:#}", equations::json(&model, &derivation)));
+        insta::assert_snapshot!("tilting-table-a.json", readable(&format!("{:#}", equations::json(&model, &derivation))));
     });
 }

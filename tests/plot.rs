@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use trunnion::data::{Radius, Sweep, Unit};
-use trunnion::plot::{Axis, Chart, Panel, PlotError, PolarChart, Series, Shape, Tone};
+use trunnion::plot::{Chart, Mark, Panel, PlotError, PolarChart, Scale, Series, Tone};
 
 fn reference(set: &str, file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/tilting-table").join(set).join(file)
@@ -13,12 +13,13 @@ fn reference(set: &str, file: &str) -> PathBuf {
 /// Degrees and µm.
 fn run(set: &str, file: &str) -> Vec<(f64, f64)> {
     let sweep = Sweep::read(&reference(set, file), "a", Radius::new(150.0).unwrap(), 11).unwrap();
-    let shown = |s: &trunnion::data::Sample| (Unit::Deg.from_inner(s.angle_rad), Unit::Um.from_inner(s.reading_mm));
+    let shown =
+        |s: &trunnion::data::SweepSample| (Unit::Deg.from_inner(s.angle_rad), Unit::Um.from_inner(s.reading_mm));
     sweep.samples().iter().map(shown).collect()
 }
 
 fn runs(set: &str) -> Vec<Series> {
-    let line = |name: &str, tone, file| Series { name: name.into(), tone, shape: Shape::Line(run(set, file)) };
+    let line = |name: &str, tone, file| Series { name: name.into(), tone, mark: Mark::Line(run(set, file)) };
     vec![
         line("ΔR_{1}, tilting", Tone::Blue, "tilting.csv"),
         line("ΔR_{2}, separation", Tone::Vermilion, "separation.csv"),
@@ -26,8 +27,8 @@ fn runs(set: &str) -> Vec<Series> {
 }
 
 fn figure3(set: &str) -> Chart {
-    let panel = Panel { y: Axis::new("Radial deviation", "µm"), series: runs(set) };
-    Chart { title: "Both runs".into(), x: Axis::new("Tilting angle a", "°"), panels: vec![panel] }
+    let panel = Panel { y: Scale::new("Radial deviation", Unit::Um), series: runs(set) };
+    Chart { title: "Both runs".into(), x: Scale::new("Tilting angle a", Unit::Deg), panels: vec![panel] }
 }
 
 /// The truth of a set with an estimate made up from it, in the layout of the paper's Fig. 4.
@@ -41,24 +42,24 @@ fn figure4(set: &str) -> Chart {
     let band = estimate.iter().map(|(a, e)| (*a, e - 1.5, e + 1.5)).collect();
     let errors = truth.iter().map(|(a, _)| (*a, error(*a))).collect();
     let limits = truth.iter().map(|(a, _)| (*a, -1.5, 1.5)).collect();
-    let series = |name: &str, tone, shape| Series { name: name.into(), tone, shape };
+    let series = |name: &str, tone, mark| Series { name: name.into(), tone, mark };
     Chart {
         title: "Angular error of the tilting table".into(),
-        x: Axis::new("Tilting angle a", "°"),
+        x: Scale::new("Tilting angle a", Unit::Deg),
         panels: vec![
             Panel {
-                y: Axis::new("ε_{xa}", "µrad"),
+                y: Scale::new("ε_{xa}", Unit::Urad),
                 series: vec![
-                    series("95 % band", Tone::Blue, Shape::Band(band)),
-                    series("ε_{xa} estimated", Tone::Blue, Shape::Line(estimate)),
-                    series("ε_{xa} true", Tone::Black, Shape::Dashed(truth)),
+                    series("95 % band", Tone::Blue, Mark::Band(band)),
+                    series("ε_{xa} estimated", Tone::Blue, Mark::Line(estimate)),
+                    series("ε_{xa} true", Tone::Black, Mark::Dashed(truth)),
                 ],
             },
             Panel {
-                y: Axis::new("Error", "µrad"),
+                y: Scale::new("Error", Unit::Urad),
                 series: vec![
-                    series("", Tone::Vermilion, Shape::Band(limits)),
-                    series("estimated − true", Tone::Vermilion, Shape::Line(errors)),
+                    series("", Tone::Vermilion, Mark::Band(limits)),
+                    series("estimated − true", Tone::Vermilion, Mark::Line(errors)),
                 ],
             },
         ],
@@ -66,7 +67,7 @@ fn figure4(set: &str) -> Chart {
 }
 
 fn polar(set: &str) -> PolarChart {
-    PolarChart { title: "Radial deviation".into(), deviation: Axis::new("ΔR", "µm"), series: runs(set) }
+    PolarChart { title: "Radial deviation".into(), deviation: Scale::new("ΔR", Unit::Um), series: runs(set) }
 }
 
 /// Every coordinate of the drawing lies within its sheet. One on the edge was moved there by the drawing library.
@@ -111,9 +112,13 @@ fn pictures_are_repeatable_and_on_their_sheet() {
 #[test]
 fn what_cannot_be_drawn_is_named() {
     let chart = |points: Vec<(f64, f64)>| {
-        let series = vec![Series { name: String::new(), tone: Tone::Blue, shape: Shape::Line(points) }];
-        Chart { title: String::new(), x: Axis::new("a", "°"), panels: vec![Panel { y: Axis::new("y", ""), series }] }
-            .svg()
+        let series = vec![Series { name: String::new(), tone: Tone::Blue, mark: Mark::Line(points) }];
+        Chart {
+            title: String::new(),
+            x: Scale::new("a", Unit::Deg),
+            panels: vec![Panel { y: Scale::new("y", Unit::Mm), series }],
+        }
+        .svg()
     };
     assert_eq!(chart(vec![]), Err(PlotError::NoPoints { panel: 1 }));
     assert_eq!(chart(vec![(0.0, f64::NAN)]), Err(PlotError::NotFinite { panel: 1 }));

@@ -5,7 +5,8 @@ use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use trunnion::study::plan::{Intended, additions, predict, subset};
 use trunnion::study::{
-    Estimator, Limits, Machine, Observation, Setup, Variance, Weights, draw, fit, fit_with, grid, neglected, systematic,
+    ErrorLimits, Estimator, Observation, Setup, SimulatedMachine, Variance, Weights, draw, fit, fit_with, grid,
+    neglected, systematic,
 };
 use trunnion_codegen::catalogue::{self, MODELS};
 use trunnion_codegen::identify::derive;
@@ -24,16 +25,16 @@ fn setup(name: &str) -> Setup {
 }
 
 /// The paper's limits made smaller: what linearisation leaves shrinks with the square.
-fn limits(factor: f64) -> Limits {
-    Limits { length: Limits::PAPER.length * factor, angle: Limits::PAPER.angle * factor }
+fn limits(factor: f64) -> ErrorLimits {
+    ErrorLimits { length: ErrorLimits::PAPER.length * factor, angle: ErrorLimits::PAPER.angle * factor }
 }
 
 struct Simulated {
-    machine: Machine,
+    machine: SimulatedMachine,
     observations: Vec<Observation>,
 }
 
-fn simulate(setup: &Setup, samples: usize, limits: Limits, random: &mut ChaCha8Rng) -> Simulated {
+fn simulate(setup: &Setup, samples: usize, limits: ErrorLimits, random: &mut ChaCha8Rng) -> Simulated {
     let sweeps = grid(samples, (0.0, TAU));
     let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|r| setup.exact(r, &sweeps)).collect();
     let machine = draw(setup, &exact.raw, limits, random);
@@ -43,7 +44,7 @@ fn simulate(setup: &Setup, samples: usize, limits: Limits, random: &mut ChaCha8R
 }
 
 /// What an estimated function is as the runs see it, and whether that is the function itself.
-fn seen(setup: &Setup, machine: &Machine, function: FunctionId, x: f64) -> (f64, bool) {
+fn seen(setup: &Setup, machine: &SimulatedMachine, function: FunctionId, x: f64) -> (f64, bool) {
     let base = machine.base(setup);
     let basis = setup.basis(function, x);
     let alone = basis.iter().all(|(b, _)| setup.derivation.is_alone(*b));
@@ -177,15 +178,15 @@ fn what_linearisation_leaves_is_as_large_as_said() {
     let mut random = ChaCha8Rng::seed_from_u64(17);
     let points = grid(72, (0.0, TAU));
     for estimator in [Estimator::Joint, Estimator::TwoStep] {
-        let one = simulate(&setup, 90, Limits::PAPER, &mut random);
+        let one = simulate(&setup, 90, ErrorLimits::PAPER, &mut random);
         let estimate = fit(&setup, &one.observations, estimator).unwrap();
-        let left = systematic(&setup, &one.observations, &estimate, function, Limits::PAPER, &points).unwrap();
+        let left = systematic(&setup, &one.observations, &estimate, function, ErrorLimits::PAPER, &points).unwrap();
         let bound: f64 = left.terms.iter().map(|t| t.bound).sum();
         let error = setup.model.functions[function].error;
         let (mut square, mut largest) = (0.0, 0.0f64);
         let trials = 1500;
         for _ in 0..trials {
-            let drawn = simulate(&setup, 90, Limits::PAPER, &mut random);
+            let drawn = simulate(&setup, 90, ErrorLimits::PAPER, &mut random);
             let value = fit(&setup, &drawn.observations, estimator).unwrap().function(&setup, function, left.at).0;
             let off = value - drawn.machine.value(error, left.at);
             square += off * off;

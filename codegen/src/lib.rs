@@ -31,8 +31,8 @@
 //! // The table's eccentricity and the ball's place on it are one.
 //! assert!(equations.contains("EXC_cos1 and w_x only appear"));
 //!
-//! let source = emit::model::rust_source(&model, &derivation)?;
-//! assert!(source.contains("along_x"));
+//! let source = emit::rust::model_source(&model, &derivation, &emit::rust::Support::of_solver())?;
+//! assert!(source.contains("pub fn push_along_x("));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -71,4 +71,5 @@ pub mod kinematics;
 pub mod measurement;
 pub mod model;
 pub mod problems;
+pub mod quantity;
 mod source;

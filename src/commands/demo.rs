@@ -1,18 +1,16 @@
 //! `trunnion demo`: the paper in one command.
 
-use super::model::load;
-use super::monte_carlo::{self, studies};
-use super::simulated::{Measured, Simulation};
-use super::{Refused, estimate, print, simulate};
+use super::{Refused, monte_carlo, print};
 use clap::Args;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use trunnion::data::write_atomically;
-use trunnion::plot::{Axis, Chart, Panel, Series, Shape, Tone};
-use trunnion::study::{Estimator, Limits, Report, Setup, fit, report};
+use trunnion::data::{Unit, write_atomically, write_simulation};
+use trunnion::plot::{Chart, Mark, Panel, Scale, Series, Tone};
+use trunnion::study::{
+    ErrorLimits, Estimator, Observation, RecoveredFunction, Recovery, Report, Sample, Setup, Simulation, StudyError,
+    fit, recovery, report,
+};
 use trunnion_codegen::emit::equations;
-use trunnion_codegen::ids::{FunctionId, RunId};
-use trunnion_codegen::kinematics::ErrorValues;
 
 /// The paper's machine.
 const MODEL: &str = "tilting-table-a";
@@ -24,27 +22,25 @@ const TRIALS: u64 = 1000;
 
 /// Arguments of `demo`.
 #[derive(Debug, Args)]
-pub struct Demo {
+pub struct DemoArguments {
     /// Directory for the figures and the simulated measurements.
     #[arg(long, value_name = "DIR", default_value = "trunnion-demo")]
     out: PathBuf,
 }
 
-impl Demo {
+impl DemoArguments {
     /// Derives, simulates, fits, draws, compares.
     pub fn run(self) -> Result<(), Refused> {
-        let model = load(MODEL)?;
-        let setup = Setup::new(model.clone(), &[("R", RADIUS)]).map_err(|e| Refused::setup(&model, &e))?;
+        let setup = Setup::from_catalogue(MODEL, &[("R", RADIUS)])?;
         let simulation = Simulation {
             seed: 1,
             samples: 360,
             noise_um: 0.1,
-            length_um: 30.0,
-            angle_urad: 100.0,
-            from_deg: 0.0,
-            to_deg: 360.0,
+            limits: ErrorLimits::scaled(30.0, 100.0),
+            range_deg: (0.0, 360.0),
         };
-        let measured = simulation.measure(&setup);
+        let simulated = simulation.measure(&setup);
+        let observations = &simulated.observations.raw;
         let mut out = String::from("1. The equations, derived from the machine's description\n\n");
         out += &equations::text(&setup.model, &setup.derivation);
         let _ = write!(
@@ -53,22 +49,20 @@ impl Demo {
         );
         let mut reports = Vec::new();
         for estimator in [Estimator::Joint, Estimator::TwoStep] {
-            let name = |r: RunId| setup.model.runs[r].name.clone();
-            let fitted =
-                fit(&setup, &measured.observations.raw, estimator).map_err(|e| Refused::fit(&setup, &name, &e))?;
-            let report = report(&setup, &measured.observations.raw, &fitted, Limits::PAPER, false)
-                .map_err(|e| Refused::setup(&model, &e))?;
-            reports.push((estimator, report));
+            let fitted = fit(&setup, observations, estimator)?;
+            let report = report(&setup, observations, &fitted, ErrorLimits::PAPER, false)?;
+            let recovery = recovery(&setup, &simulated.machine, &report);
+            reports.push((report, recovery));
         }
-        out += &recovered(&setup, &measured, &reports);
+        out += &recovered(&reports);
         let _ = write!(
             out,
             "\n3. {TRIALS} such machines; the paper's one simulation had a largest error of {PAPER} µrad\n\n"
         );
-        out +=
-            &monte_carlo::text(TRIALS, &studies(&setup, &simulation, TRIALS, &[Estimator::TwoStep, Estimator::Joint])?);
-        simulate::write(&setup, &simulation, &measured, RADIUS, &self.out)?;
-        figures(&setup, &measured, &reports, &self.out)?;
+        let estimators = [Estimator::TwoStep, Estimator::Joint];
+        out += &monte_carlo::text(TRIALS, &monte_carlo::watched(&setup, simulation.draws(TRIALS), &estimators)?);
+        write_simulation(&setup, &simulation, &simulated, RADIUS, &self.out)?;
+        figures(&setup, observations, &reports, &self.out)?;
         let _ = write!(
             out,
             "\nwritten to {}: fig3.svg, fig4.svg, tilting.csv, separation.csv, table.csv, truth.json\n",
@@ -79,26 +73,18 @@ impl Demo {
 }
 
 /// What was recovered against the truth.
-fn recovered(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)]) -> String {
+fn recovered(reports: &[(Report, Recovery)]) -> String {
     let mut out = String::new();
-    let truth = measured.machine.base(setup);
-    let of = |name: &str| {
-        setup.derivation.base.position(|b| b.name == name).and_then(|b| truth.get(b)).copied().unwrap_or(f64::NAN)
-    };
-    for (estimator, report) in reports {
-        let _ = writeln!(out, "\n{}: condition {:.1}", estimate::name(*estimator), report.condition);
+    for (report, recovery) in reports {
+        let _ = writeln!(out, "\n{}: condition {:.1}", report.estimator, report.condition);
         for (name, samples, rms) in &report.runs {
             let _ = writeln!(out, "  run {name}: {samples} samples, residuals {rms:.3} µm rms");
         }
         let _ = writeln!(out, "  {:6} {:>14} {:>14} {:>10}", "", "estimate", "truth", "std");
-        for c in &report.coefficients {
-            let _ =
-                writeln!(out, "  {:6} {:>14.6e} {:>14.6e} {:>10.1e} {}", c.name, c.value, of(&c.name), c.std, c.unit);
+        for (c, truth) in report.coefficients.iter().zip(&recovery.coefficients) {
+            let _ = writeln!(out, "  {:6} {:>14.6e} {truth:>14.6e} {:>10.1e} {}", c.name, c.value, c.std, c.unit);
         }
-        for (f, curve) in setup.estimated().zip(&report.functions) {
-            let error = |p: &trunnion::study::Point| (p.value - true_value(setup, measured, f, p.at)).abs();
-            let largest = curve.points.iter().map(error).fold(0.0, f64::max);
-            let inside = curve.points.iter().filter(|p| error(p) <= p.u95).count();
+        for (curve, RecoveredFunction { largest, inside, .. }) in report.functions.iter().zip(&recovery.functions) {
             let _ = writeln!(
                 out,
                 "  {}: largest error {largest:.3} {}, truth inside the 95 % band at {inside} of {} points",
@@ -108,8 +94,9 @@ fn recovered(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)]
             );
         }
     }
-    let dropped: Vec<String> =
-        reports[0].1.runs.iter().zip(&reports[0].1.neglected).map(|((n, ..), v)| format!("{v:.3} µm ({n})")).collect();
+    let first = reports.first().map(|(report, _)| report);
+    let dropped = first.into_iter().flat_map(|r| r.runs.iter().zip(&r.neglected));
+    let dropped: Vec<String> = dropped.map(|((name, ..), um)| format!("{um:.3} µm ({name})")).collect();
     let _ = writeln!(
         out,
         "\nThe second-order terms that linearisation drops are at most {} on any such machine.",
@@ -118,57 +105,57 @@ fn recovered(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)]
     out
 }
 
-/// True value of an estimated angular function in µrad (of a length, µm) at degrees.
-fn true_value(setup: &Setup, measured: &Measured, function: FunctionId, deg: f64) -> f64 {
-    let scale = if setup.component(function).is_some_and(|c| c.is_rotation()) { 1e6 } else { 1e3 };
-    measured.machine.value(setup.model.functions[function].error, deg.to_radians()) * scale
-}
-
 /// Fig. 3, the readings, and Fig. 4, the estimate against the truth.
-fn figures(setup: &Setup, measured: &Measured, reports: &[(Estimator, Report)], out: &Path) -> Result<(), Refused> {
-    let line = |name: &str, tone, points| Series { name: name.to_owned(), tone, shape: Shape::Line(points) };
+fn figures(
+    setup: &Setup,
+    observations: &[Observation],
+    reports: &[(Report, Recovery)],
+    out: &Path,
+) -> Result<(), Refused> {
+    let line = |name: &str, tone, points| Series { name: name.to_owned(), tone, mark: Mark::Line(points) };
     let tones = [Tone::Blue, Tone::Vermilion, Tone::Green, Tone::Purple];
-    let runs = measured.observations.iter().zip(tones).enumerate().map(|(i, (o, tone))| {
-        let points = o.samples.iter().map(|s| (s.sweep.to_degrees(), s.reading * 1e3)).collect();
-        line(&format!("ΔR_{{{}}} ({})", i + 1, setup.model.runs[o.run].name), tone, points)
+    let runs = observations.iter().zip(tones).enumerate().map(|(i, (o, tone))| {
+        let point = |s: &Sample| (Unit::Deg.from_inner(s.sweep), Unit::Um.from_inner(s.reading));
+        let name = format!("ΔR_{{{}}} ({})", i + 1, setup.model.runs[o.run].name);
+        line(&name, tone, o.samples.iter().map(point).collect())
     });
     let readings = Chart {
         title: "Radial deviations of both runs, simulated exactly".to_owned(),
-        x: Axis::new("a", "°"),
-        panels: vec![Panel { y: Axis::new("ΔR", "µm"), series: runs.collect() }],
+        x: Scale::new("a", Unit::Deg),
+        panels: vec![Panel { y: Scale::new("ΔR", Unit::Um), series: runs.collect() }],
     };
     write_atomically(&out.join("fig3.svg"), readings.svg()?.as_bytes())?;
-    let Some((function, (estimator, curve))) =
-        setup.estimated().zip(reports.first().and_then(|(e, r)| Some((*e, r.functions.first()?)))).next()
-    else {
-        return Err(Refused::NothingEstimated);
+    let mut curves = reports.iter().filter_map(|(report, recovery)| {
+        Some((report.estimator, report.functions.first()?, &recovery.functions.first()?.truth))
+    });
+    let Some((estimator, curve, truth)) = curves.clone().next() else {
+        return Err(StudyError::NothingEstimated.into());
     };
-    let truth = |at: f64| true_value(setup, measured, function, at);
     let points = &curve.points;
     let estimated = Panel {
-        y: Axis::new("ε_{xa}", "µrad"),
+        y: Scale::new("ε_{xa}", curve.unit),
         series: vec![
             Series {
                 name: "95 % band".to_owned(),
                 tone: Tone::Blue,
-                shape: Shape::Band(points.iter().map(|p| (p.at, p.value - p.u95, p.value + p.u95)).collect()),
+                mark: Mark::Band(points.iter().map(|p| (p.at, p.value - p.u95, p.value + p.u95)).collect()),
             },
-            line("true", Tone::Black, points.iter().map(|p| (p.at, truth(p.at))).collect()),
+            line("true", Tone::Black, points.iter().zip(truth).map(|(p, truth)| (p.at, *truth)).collect()),
             Series {
-                name: format!("estimated ({})", estimate::name(estimator)),
+                name: format!("estimated ({estimator})"),
                 tone: Tone::Blue,
-                shape: Shape::Dashed(points.iter().map(|p| (p.at, p.value)).collect()),
+                mark: Mark::Dashed(points.iter().map(|p| (p.at, p.value)).collect()),
             },
         ],
     };
-    let errors = reports.iter().zip(tones).filter_map(|((e, r), tone)| {
-        let curve = r.functions.first()?;
-        Some(line(estimate::name(*e), tone, curve.points.iter().map(|p| (p.at, p.value - truth(p.at))).collect()))
+    let errors = curves.by_ref().zip(tones).map(|((estimator, curve, truth), tone)| {
+        let points = curve.points.iter().zip(truth).map(|(p, truth)| (p.at, p.value - truth)).collect();
+        line(&estimator.to_string(), tone, points)
     });
     let chart = Chart {
         title: "Angular positioning error of the tilting table".to_owned(),
-        x: Axis::new("a", "°"),
-        panels: vec![estimated, Panel { y: Axis::new("estimate − truth", "µrad"), series: errors.collect() }],
+        x: Scale::new("a", curve.coordinate_unit),
+        panels: vec![estimated, Panel { y: Scale::new("estimate − truth", curve.unit), series: errors.collect() }],
     };
     write_atomically(&out.join("fig4.svg"), chart.svg()?.as_bytes())?;
     Ok(())

@@ -1,19 +1,19 @@
 //! `trunnion derive`: equations, base parameters and source code of a model.
 
-use super::model::{lengths, load};
+use super::model::{load, setup};
 use super::predicted::{Measuring, prediction};
 use super::{Refused, print};
 use clap::{Args, ValueEnum};
 use trunnion::data::Radius;
-use trunnion::study::Setup;
+use trunnion::study::SetupError;
 use trunnion_codegen::emit::c::Real;
 use trunnion_codegen::emit::rust::{self, Support};
 use trunnion_codegen::emit::{c99, equations, numpy};
-use trunnion_codegen::identify::derive;
+use trunnion_codegen::problems::derivation;
 
 /// Arguments of `derive`.
 #[derive(Debug, Args)]
-pub struct Derive {
+pub struct DeriveArguments {
     /// A name from the catalogue, or a model file.
     model: String,
     /// What to print.
@@ -48,16 +48,14 @@ enum Emit {
     Json,
 }
 
-impl Derive {
+impl DeriveArguments {
     /// Derives and prints.
     pub fn run(self) -> Result<(), Refused> {
         let description = load(&self.model)?;
-        let derivation = derive(&description).map_err(|e| Refused::derive(&description, &e))?;
+        let derivation = derivation(&description).map_err(SetupError::Description)?;
         let predicted = match (self.radius, self.emit) {
             (Some(mm), Emit::Text) => {
-                let values = lengths(&description, Radius::new(mm)?, &self.lengths)?;
-                let values: Vec<(&str, f64)> = values.iter().map(|(n, mm)| (n.as_str(), *mm)).collect();
-                let setup = Setup::new(description.clone(), &values).map_err(|e| Refused::setup(&description, &e))?;
+                let setup = setup(description.clone(), Radius::new(mm)?, &self.lengths)?;
                 prediction(&setup, self.range_deg, &self.measuring)?
             }
             _ => String::new(),

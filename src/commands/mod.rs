@@ -8,7 +8,7 @@ pub mod monte_carlo;
 pub mod plan;
 pub mod simulate;
 
-mod estimate;
+mod document;
 mod model;
 mod predicted;
 mod refused;
@@ -17,6 +17,11 @@ mod simulated;
 pub use refused::Refused;
 
 use std::io::{self, Write};
+
+/// `NAME=…` as its two parts.
+fn pair(given: &str) -> Option<(&str, &str)> {
+    given.split_once('=')
+}
 
 /// Writes a finished document to standard output; a reader that has gone away is no error.
 fn print(text: &str) -> Result<(), Refused> {

@@ -1,13 +1,13 @@
 //! The MODEL argument and the lengths of its set-up.
 
-use super::Refused;
+use super::{Refused, pair};
 use clap::Args;
 use std::io::IsTerminal;
 use std::path::Path;
 use trunnion::data::Radius;
-use trunnion::study::Setup;
+use trunnion::study::{Setup, bars};
 use trunnion_codegen::catalogue;
-use trunnion_codegen::model::{Model, ReadingKind};
+use trunnion_codegen::model::Model;
 use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
 /// Place and text of a model by its catalogue name or from a file.
@@ -53,22 +53,31 @@ impl ModelArguments {
     /// The model with its lengths.
     pub fn setup(&self) -> Result<(Setup, Radius), Refused> {
         let radius = Radius::new(self.radius)?;
-        let model = load(&self.model)?;
-        let values = lengths(&model, radius, &self.lengths)?;
-        let values: Vec<(&str, f64)> = values.iter().map(|(n, mm)| (n.as_str(), *mm)).collect();
-        let setup = Setup::new(model.clone(), &values).map_err(|e| Refused::setup(&model, &e))?;
-        Ok((setup, radius))
+        Ok((setup(load(&self.model)?, radius, &self.lengths)?, radius))
     }
 }
 
-/// Every length of the set-up that is given: the bar's, and those of `--set`.
-pub fn lengths(model: &Model, radius: Radius, given: &[String]) -> Result<Vec<(String, f64)>, Refused> {
-    let bars: Vec<String> = model.runs.iter().filter_map(|r| bar(model, &r.reading)).collect();
+/// A model with the length of its bar and those of `--set`.
+pub fn setup(model: Model, radius: Radius, given: &[String]) -> Result<Setup, Refused> {
+    let values = lengths(&model, radius, given)?;
+    let values: Vec<(&str, f64)> = values.iter().map(|(name, mm)| (name.as_str(), *mm)).collect();
+    Ok(Setup::new(model, &values)?)
+}
+
+/// Every length of the set-up: the bar's, and those of `--set`.
+fn lengths(model: &Model, radius: Radius, given: &[String]) -> Result<Vec<(String, f64)>, Refused> {
+    let bars = bars(model).into_iter().map(|bar| (bar, radius.mm()));
+    Ok(others(model, given)?.into_iter().chain(bars).collect())
+}
+
+/// The lengths of `--set`, none of them a bar's.
+pub fn others(model: &Model, given: &[String]) -> Result<Vec<(String, f64)>, Refused> {
+    let bars = bars(model);
     let mut values: Vec<(String, f64)> = Vec::new();
     for given in given {
-        let pair = given.split_once('=').and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
+        let split = pair(given).and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
         let not = || Refused::NotAPair { option: "set", pair: "NAME=MM", given: given.clone(), example: "H=80" };
-        let (name, mm) = pair.ok_or_else(not)?;
+        let (name, mm) = split.ok_or_else(not)?;
         if bars.iter().any(|bar| bar == name) {
             return Err(Refused::SetBar(given.clone()));
         }
@@ -77,25 +86,7 @@ pub fn lengths(model: &Model, radius: Radius, given: &[String]) -> Result<Vec<(S
         }
         values.push((name.to_owned(), mm));
     }
-    for name in &bars {
-        if values.iter().all(|(n, _)| n != name) {
-            values.push((name.clone(), radius.mm()));
-        }
-    }
     Ok(values)
-}
-
-/// True if a run of the model reads the length of a bar, so that its radius matters.
-pub fn has_bar(model: &Model) -> bool {
-    model.runs.iter().any(|r| bar(model, &r.reading).is_some())
-}
-
-/// The constant that is a run's bar.
-fn bar(model: &Model, reading: &ReadingKind) -> Option<String> {
-    match reading {
-        ReadingKind::BarLength(id) => Some(model.alphabet.nominal_name(*id)),
-        ReadingKind::Displacement(_) => None,
-    }
 }
 
 fn millimetres(text: &str) -> Result<f64, &'static str> {

@@ -2,22 +2,21 @@
 
 use super::fit::Combine;
 use super::model::ModelArguments;
-use super::simulated::Simulation;
-use super::{Refused, estimate, print};
+use super::simulated::SimulationArguments;
+use super::{Refused, document, print};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::{Value, json};
+use serde_json::json;
 use std::fmt::Write;
-use trunnion::study::{Estimator, Observation, Plan, Setup, Spread, Trial, WARN_CONDITION, Warning, fit, monte_carlo};
-use trunnion_codegen::ids::{FunctionId, RunId};
+use trunnion::study::{Draws, Estimator, Setup, Study, design_warning, studies};
 
 /// Arguments of `monte-carlo`.
 #[derive(Debug, Args)]
-pub struct MonteCarlo {
+pub struct MonteCarloArguments {
     #[command(flatten)]
     model: ModelArguments,
     #[command(flatten)]
-    simulation: Simulation,
+    simulation: SimulationArguments,
     /// Number of machines.
     #[arg(long, default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
     trials: u64,
@@ -29,101 +28,37 @@ pub struct MonteCarlo {
     json: bool,
 }
 
-/// Distributions of the largest error of one function with one estimator.
-pub struct Study {
-    pub estimator: Estimator,
-    pub function: String,
-    /// What it comes from, in µrad or µm.
-    pub spreads: [(&'static str, Spread); 3],
-}
-
-impl MonteCarlo {
+impl MonteCarloArguments {
     /// Draws, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
-        self.simulation.check()?;
+        let draws = self.simulation.simulation()?.draws(self.trials);
         let (setup, _) = self.model.setup()?;
         let estimators = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
         for &estimator in &estimators {
-            warn(&setup, &self.simulation, estimator)?;
+            if let Some(warning) = design_warning(&setup, draws, estimator)? {
+                eprintln!("warning: {estimator}: {warning}");
+            }
         }
-        let studies = studies(&setup, &self.simulation, self.trials, &estimators)?;
-        let text = match self.json {
-            true => format!(
-                "{:#}\n",
-                json!({ "model": setup.model.name, "trials": self.trials, "studies": studies.iter().map(object).collect::<Vec<_>>() })
-            ),
+        let studies = watched(&setup, draws, &estimators)?;
+        print(&match self.json {
+            true => {
+                let studies: Vec<_> = studies.iter().map(document::study).collect();
+                format!("{:#}\n", json!({ "model": setup.model.name, "trials": self.trials, "studies": studies }))
+            }
             false => text(self.trials, &studies),
-        };
-        print(&text)
+        })
     }
 }
 
-/// Says on standard error where the range is too short for the numbers to mean much.
-fn warn(setup: &Setup, simulation: &Simulation, estimator: Estimator) -> Result<(), Refused> {
-    let name = |run: RunId| setup.model.runs[run].name.clone();
-    let sweeps = simulation.sweeps();
-    let design: Vec<Observation> = setup.model.runs.keys().map(|r| Observation::zero(setup, r, &sweeps)).collect();
-    let separation = fit(setup, &design, estimator).map_err(|e| Refused::fit(setup, &name, &e))?.separation;
-    if separation.condition > WARN_CONDITION {
-        let names = separation.weakest.iter().map(|&b| setup.derivation.base[b].name.clone()).collect();
-        let warning = Warning::HardlySeparated {
-            condition: separation.condition,
-            names,
-            whole_turn: simulation.to_deg - simulation.from_deg >= 330.0,
-        };
-        eprintln!("warning: {}: {warning}", estimate::name(estimator));
-    }
-    Ok(())
-}
-
-/// Runs every estimator on every estimated function, with a progress bar on standard error.
-pub fn studies(
-    setup: &Setup,
-    simulation: &Simulation,
-    trials: u64,
-    estimators: &[Estimator],
-) -> Result<Vec<Study>, Refused> {
-    let plan = Plan {
-        trials,
-        samples: simulation.samples,
-        range: simulation.range(),
-        limits: simulation.limits(),
-        noise: simulation.noise_um * 1e-3,
-        seed: simulation.seed,
-    };
-    let functions: Vec<FunctionId> = setup.estimated().collect();
-    if functions.is_empty() {
-        return Err(Refused::NothingEstimated);
-    }
-    let bar = ProgressBar::new(trials * estimators.len() as u64 * functions.len() as u64);
+/// The studies, with a progress bar on standard error.
+pub fn watched(setup: &Setup, draws: Draws, estimators: &[Estimator]) -> Result<Vec<Study>, Refused> {
+    let bar = ProgressBar::new(draws.trials * (estimators.len() * setup.estimated().count()) as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} machines, {eta} left") {
         bar.set_style(style);
     }
-    let mut studies = Vec::new();
-    for &estimator in estimators {
-        for &f in &functions {
-            let trials = monte_carlo(setup, plan, estimator, f, &|| bar.inc(1));
-            let trials = trials.map_err(|e| Refused::fit(setup, &|r| setup.model.runs[r].name.clone(), &e))?;
-            let scale = if setup.component(f).is_some_and(|c| c.is_rotation()) { 1e6 } else { 1e3 };
-            let spread = |of: fn(&Trial) -> f64| Spread::of(trials.iter().map(|t| of(t) * scale).collect());
-            let all = [
-                ("noise", spread(|t| t.noise)),
-                ("linearisation", spread(|t| t.linearisation)),
-                ("both", spread(|t| t.both)),
-            ];
-            if let [(a, Some(x)), (b, Some(y)), (c, Some(z))] = all {
-                studies.push(Study { estimator, function: setup.function_name(f), spreads: [(a, x), (b, y), (c, z)] });
-            }
-        }
-    }
+    let studies = studies(setup, draws, estimators, &|| bar.inc(1));
     bar.finish_and_clear();
-    Ok(studies)
-}
-
-fn object(s: &Study) -> Value {
-    let spread = |x: &Spread| json!({ "mean": x.mean, "median": x.median, "p95": x.p95, "max": x.max });
-    let spreads = s.spreads.iter().map(|(from, x)| ((*from).to_owned(), spread(x)));
-    json!({ "function": s.function, "estimator": estimate::name(s.estimator), "largest_error": spreads.collect::<serde_json::Map<_, _>>() })
+    Ok(studies?)
 }
 
 /// A table of the distributions.
@@ -135,12 +70,11 @@ pub fn text(trials: u64, studies: &[Study]) -> String {
         "function", "estimator", "from", "mean", "median", "95 %", "max"
     );
     for s in studies {
-        for (from, x) in &s.spreads {
-            let estimator = estimate::name(s.estimator);
+        for (from, x) in [("noise", &s.noise), ("linearisation", &s.linearisation), ("both", &s.both)] {
             let _ = writeln!(
                 out,
-                "  {:10} {estimator:9} {from:14} {:8.3} {:8.3} {:8.3} {:8.3}",
-                s.function, x.mean, x.median, x.p95, x.max
+                "  {:10} {:9} {from:14} {:8.3} {:8.3} {:8.3} {:8.3}",
+                s.function, s.estimator, x.mean, x.median, x.p95, x.max
             );
         }
     }

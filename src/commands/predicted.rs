@@ -1,14 +1,13 @@
 //! Predicted uncertainty in words, for `derive` and `plan`.
 
+use super::Refused;
 use super::fit::Combine;
 use super::simulated::not_negative;
-use super::{Refused, estimate};
 use clap::Args;
 use std::fmt::Write;
-use trunnion::study::plan::{Intended, Predicted, predict};
-use trunnion::study::{Estimator, Setup, coefficient_unit, unit};
-use trunnion_codegen::ids::RunId;
-use trunnion_codegen::model::AxisKind;
+use trunnion::data::Unit;
+use trunnion::study::plan::{Intended, Predicted, predict, uniform_std};
+use trunnion::study::{Estimator, Setup, coefficient_unit, coordinate};
 
 /// How is intended to be measured.
 #[derive(Clone, Copy, Debug, Args)]
@@ -27,12 +26,14 @@ pub struct Measuring {
 impl Measuring {
     /// The runs over a range in degrees.
     pub fn over(&self, (from, to): (f64, f64)) -> Result<Intended, Refused> {
+        let range = (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to));
+        Ok(Intended { samples: self.samples as usize, range, sigma: self.sigma()? })
+    }
+
+    /// Standard deviation of the uniform noise, mm.
+    pub fn sigma(&self) -> Result<f64, Refused> {
         not_negative("noise-um", self.noise_um)?;
-        Ok(Intended {
-            samples: self.samples as usize,
-            range: (from.to_radians(), to.to_radians()),
-            sigma: self.noise_um * 1e-3 / 3f64.sqrt(),
-        })
+        Ok(uniform_std(self.noise_um * Unit::Um.factor()))
     }
 }
 
@@ -45,9 +46,8 @@ pub fn range(text: &str) -> Result<(f64, f64), &'static str> {
 
 /// What all runs over one range would give, as text.
 pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Result<String, Refused> {
-    let name = |run: RunId| setup.model.runs[run].name.clone();
     let estimator = Estimator::from(measuring.estimator);
-    let p = predict(setup, measuring.over(range)?, estimator).map_err(|e| Refused::fit(setup, &name, &e))?;
+    let p = predict(setup, measuring.over(range)?, estimator)?;
     let lengths = setup.model.alphabet.constants().map(|n| format!("{n} = {} mm", setup.constant(n)));
     let mut out = format!(
         "\nPredicted with {}, {}°…{}°, {} samples a run, noise ±{} µm, {} estimate: condition {:.1}\n",
@@ -56,7 +56,7 @@ pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Re
         range.1,
         measuring.samples,
         measuring.noise_um,
-        estimate::name(estimator),
+        estimator,
         p.condition
     );
     for (b, std) in &p.base {
@@ -72,14 +72,9 @@ pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Re
 pub fn function(setup: &Setup, predicted: &Predicted) -> String {
     let name = setup.function_name(predicted.function);
     let Some(largest) = predicted.largest else { return format!("{name}: not seen by these runs") };
-    let (unit, scale) = unit(setup.component(predicted.function));
-    let axis = setup.model.axis_of(setup.model.functions[predicted.function].error);
-    let axis = axis.and_then(|(id, _)| setup.model.axis(id));
-    let (letter, at, of) = match axis {
-        Some(a) if a.kind == AxisKind::Rotary => (a.name.to_lowercase(), largest.at.to_degrees(), "deg"),
-        Some(a) => (a.name.to_lowercase(), largest.at, "mm"),
-        None => (String::new(), largest.at, ""),
-    };
-    let (std, u95) = (largest.std * scale, largest.u95 * scale);
+    let Some(axis) = setup.axis(predicted.function) else { return name };
+    let (unit, of) = (setup.quantity(predicted.function).deviation(), coordinate(axis).coordinate());
+    let (letter, at) = (axis.name.to_lowercase(), of.from_inner(largest.at));
+    let (std, u95) = (unit.from_inner(largest.std), unit.from_inner(largest.u95));
     format!("{name}: std at most {std:.3} {unit} (95 % ± {u95:.3}) at {letter} = {at:.0} {of}")
 }

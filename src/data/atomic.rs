@@ -8,7 +8,7 @@ use tempfile::Builder;
 use thiserror::Error;
 
 use super::columns::Wanted;
-use super::unit::Unit;
+use trunnion_codegen::quantity::Unit;
 
 /// A file that could not be written; what was there before is still there.
 #[derive(Debug, Error)]
@@ -23,10 +23,14 @@ pub struct WriteError {
 
 /// Why a file could not be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum WriteProblem {
     /// The operating system refuses.
     #[error("cannot be written: {0}")]
     Refused(io::ErrorKind),
+    /// There is no such directory, and none can be made.
+    #[error("{0}\n  expected a directory that can be written, or a name for a new one")]
+    Directory(io::ErrorKind),
     /// NaN or infinity in a line, counted from 1.
     #[error("value {column} of line {line} is not finite")]
     NotFinite {

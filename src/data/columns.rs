@@ -1,16 +1,16 @@
 //! The header: which column is what, in which unit.
 
 use super::error::HeaderProblem;
-use super::unit::{Dimension, Unit};
+use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// Units of a swept angle, the usual one first.
 pub(crate) const SWEEP: &[Unit] = &[Unit::Deg, Unit::Rad];
 
 /// Units of an error motion or a reading, the usual one first.
-pub(crate) const fn deviation(dimension: Dimension) -> &'static [Unit] {
-    match dimension {
-        Dimension::Length => &[Unit::Um, Unit::Mm],
-        Dimension::Angle => &[Unit::Urad, Unit::Rad],
+pub(crate) const fn deviation(quantity: Quantity) -> &'static [Unit] {
+    match quantity {
+        Quantity::Length => &[Unit::Um, Unit::Mm],
+        Quantity::Angle => &[Unit::Urad, Unit::Rad],
     }
 }
 

@@ -8,6 +8,7 @@ pub struct Radius(f64);
 
 /// Why a radius is impossible.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RadiusError {
     /// NaN or infinite.
     #[error("radius {0} mm is not a number\n  expected the nominal length of the bar in mm, e.g. 150")]

@@ -9,7 +9,7 @@ use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
 use super::lines::Lines;
 use super::radius::Radius;
-use super::unit::{Dimension, Unit};
+use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
 const BEYOND_STROKE_MM: f64 = 2.0;
@@ -22,7 +22,7 @@ const READING: &str = "dr";
 
 /// One sample of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub struct SweepSample {
     /// The swept angle, rad.
     pub angle_rad: f64,
     /// The radial deviation ΔR: bar length less the radius, mm.
@@ -35,7 +35,22 @@ pub struct Sample {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
     file: PathBuf,
-    samples: Vec<Sample>,
+    samples: Vec<SweepSample>,
+}
+
+/// What a run's file has to hold.
+#[derive(Clone, Copy)]
+pub(super) struct RunColumns<'a> {
+    /// The swept angle's column without its unit.
+    pub angle: &'a str,
+    /// The readings' column without its unit.
+    pub reading: &'a str,
+    /// Other lengths that have to be there.
+    pub others: &'a [&'a str],
+    /// Nominal length of the bar, mm; none where displacements are read.
+    pub bar_mm: Option<f64>,
+    /// Samples needed.
+    pub least: usize,
 }
 
 impl Sweep {
@@ -48,22 +63,13 @@ impl Sweep {
     /// files of their own) or is beyond ten turns; where there are fewer than `least` samples; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        Self::read_column(file, angle, READING, &[], radius, least)
+        Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least })
     }
 
-    /// As [`Sweep::read`] with the readings in the column `<reading>_um|_mm`; the columns `others` have to be there too.
-    ///
-    /// # Errors
-    /// As [`Sweep::read`].
-    pub fn read_column(
-        file: &Path,
-        angle: &str,
-        reading: &str,
-        others: &[&str],
-        radius: Radius,
-        least: usize,
-    ) -> Result<Self, FileError> {
-        let length = |name| Wanted::new(name, deviation(Dimension::Length));
+    /// As [`Sweep::read`] with other columns, perhaps without a bar.
+    pub(super) fn read_as(file: &Path, expected: &RunColumns) -> Result<Self, FileError> {
+        let RunColumns { angle, reading, others, bar_mm, least } = *expected;
+        let length = |name| Wanted::new(name, deviation(Quantity::Length));
         let wanted: Vec<Wanted> = [Wanted::new(angle, SWEEP), length(reading)]
             .into_iter()
             .chain(others.iter().map(|name| length(name)))
@@ -71,15 +77,15 @@ impl Sweep {
         let lines = Lines::open(file, &wanted)?;
         let mut names = lines.columns().iter().map(|column| column.name().to_owned());
         let names = [names.next(), names.next()].map(Option::unwrap_or_default);
-        let samples: Vec<Sample> = lines
+        let samples: Vec<SweepSample> = lines
             .all()?
             .iter()
             .filter_map(|line| match line.values.as_slice() {
-                [angle, reading, ..] => Some(Sample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
+                [angle, reading, ..] => Some(SweepSample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
                 _ => None,
             })
             .collect();
-        match check(&samples, radius, least, names) {
+        match check(&samples, bar_mm, least, names) {
             Some(problem) => Err(FileError { file: file.to_owned(), problem }),
             None => Ok(Self { file: file.to_owned(), samples }),
         }
@@ -88,7 +94,8 @@ impl Sweep {
     /// A run that comes from elsewhere (a simulation), with lines as [`Sweep::write`] gives them; pairs of angle in rad
     /// and reading in mm, which are not checked here. `file` is where it will stand.
     pub fn new(file: impl Into<PathBuf>, samples: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        let samples = (2..).zip(samples).map(|(line, (angle_rad, reading_mm))| Sample { angle_rad, reading_mm, line });
+        let samples =
+            (2..).zip(samples).map(|(line, (angle_rad, reading_mm))| SweepSample { angle_rad, reading_mm, line });
         Self { file: file.into(), samples: samples.collect() }
     }
 
@@ -98,14 +105,15 @@ impl Sweep {
     }
 
     /// The samples in the file's order.
-    pub fn samples(&self) -> &[Sample] {
+    pub fn samples(&self) -> &[SweepSample] {
         &self.samples
     }
 
     /// Smallest and largest angle, rad; none without samples.
     pub fn range_rad(&self) -> Option<(f64, f64)> {
         let first = self.samples.first()?.angle_rad;
-        let widen = |(low, high): (f64, f64), sample: &Sample| (low.min(sample.angle_rad), high.max(sample.angle_rad));
+        let widen =
+            |(low, high): (f64, f64), sample: &SweepSample| (low.min(sample.angle_rad), high.max(sample.angle_rad));
         Some(self.samples.iter().fold((first, first), widen))
     }
 
@@ -115,19 +123,22 @@ impl Sweep {
     /// # Errors
     /// [`WriteError`] where the file cannot be written, a value is not finite, or a unit is not one of those named.
     pub fn write(&self, angle: &str, angle_unit: Unit, length_unit: Unit) -> Result<(), WriteError> {
-        let columns = [
-            (Wanted::new(angle, SWEEP), angle_unit),
-            (Wanted::new(READING, deviation(Dimension::Length)), length_unit),
-        ];
+        let columns =
+            [(Wanted::new(angle, SWEEP), angle_unit), (Wanted::new(READING, deviation(Quantity::Length)), length_unit)];
         let lines = self.samples.iter().map(|sample| vec![sample.angle_rad, sample.reading_mm]);
         write_columns(&self.file, &columns, lines)
     }
 }
 
-fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [String; 2]) -> Option<FileProblem> {
+fn check(
+    samples: &[SweepSample],
+    bar_mm: Option<f64>,
+    least: usize,
+    [angle, reading]: [String; 2],
+) -> Option<FileProblem> {
     let mut seen = HashMap::new();
     let mut bad = Vec::new();
-    for Sample { angle_rad, line, .. } in samples {
+    for SweepSample { angle_rad, line, .. } in samples {
         // Adding zero makes one of the two zeros.
         let first = *seen.entry((angle_rad + 0.0).to_bits()).or_insert(*line);
         if first != *line {
@@ -154,10 +165,12 @@ fn check(samples: &[Sample], radius: Radius, least: usize, [angle, reading]: [St
         });
         let stray: Vec<LineProblem> = stray.collect();
         (!stray.is_empty()).then_some(FileProblem::Lines(stray))
-    } else if (median_mm - radius.mm()).abs() <= BEYOND_STROKE_MM.max(radius.mm() / 100.0) {
-        Some(FileProblem::AbsoluteLengths { median_mm, near_mm: median_mm.round(), radius_mm: radius.mm() })
     } else {
-        Some(FileProblem::BeyondStroke { median_mm, column: reading, radius_mm: radius.mm() })
+        let near = |mm: &f64| (median_mm - mm).abs() <= BEYOND_STROKE_MM.max(mm / 100.0);
+        Some(match bar_mm.filter(near) {
+            Some(radius_mm) => FileProblem::AbsoluteLengths { median_mm, near_mm: median_mm.round(), radius_mm },
+            None => FileProblem::BeyondStroke { median_mm, column: reading, radius_mm: bar_mm },
+        })
     }
 }
 

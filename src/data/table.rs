@@ -8,7 +8,7 @@ use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
 use super::lines::Lines;
 use super::sweep::Sweep;
-use super::unit::Dimension;
+use trunnion_codegen::quantity::Quantity;
 
 /// Fewest steps of a table taken as going round.
 const STEPS_OF_A_TURN: usize = 12;
@@ -22,7 +22,7 @@ pub struct Known {
     /// Its name without a unit, such as `dya`.
     pub name: String,
     /// What it measures.
-    pub dimension: Dimension,
+    pub quantity: Quantity,
 }
 
 /// Functions over the swept angle, linear between nodes.
@@ -162,7 +162,7 @@ impl Table {
 }
 
 fn wanted<'a>(angle: &'a str, functions: &'a [Known]) -> Vec<Wanted<'a>> {
-    let known = functions.iter().map(|known| Wanted::new(&known.name, deviation(known.dimension)));
+    let known = functions.iter().map(|known| Wanted::new(&known.name, deviation(known.quantity)));
     std::iter::once(Wanted::new(angle, SWEEP)).chain(known).collect()
 }
 

@@ -6,7 +6,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::ser::PrettyFormatter;
 
 use super::atomic::{WriteError, WriteProblem, write_atomically};
-use super::unit::Unit;
+use trunnion_codegen::quantity::Unit;
 
 /// What a simulation was made of: written as `truth.json`.
 #[derive(Clone, Debug, PartialEq)]

@@ -25,6 +25,7 @@ pub struct Compensation {
 
 /// Why there is no quintic.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CompensationError {
     /// The machine does not reach the ring.
     #[error("at {0:.1}° of the ring: {1}")]

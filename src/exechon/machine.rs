@@ -9,6 +9,7 @@ pub const BUILT_IN: &str = include_str!("xt700.toml");
 
 /// Why a file is no machine; shown without the file's name.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum MachineFileError {
     /// The file cannot be read.
     #[error("{0}\n  expected a machine file such as src/exechon/xt700.toml")]

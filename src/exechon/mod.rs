@@ -26,7 +26,7 @@ pub use pictures::{PictureError, drm_map, machine_picture, quintic_picture, ring
 pub use plan::{Feature, PlanError, PlannedTouch, plan};
 pub use ring::{RingError, RingReport, ring_report, ring_report_of};
 pub use simulate::{Probe, SimulatedTouch, simulate};
-pub use solved::{Coordinates, Solved, forward, inverse};
+pub use solved::{Coordinates, SolvedPose, forward, inverse};
 
 use trunnion_solver::exechon::{KinematicsError, Machine, Pose, RotationError, Target, TargetError, Tilted};
 
@@ -53,6 +53,7 @@ pub const ALONG: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Why the machine cannot be at a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PointError {
     /// The point or direction is none.
     #[error("{0}")]

@@ -6,6 +6,7 @@ use trunnion_solver::exechon::Machine;
 
 /// Why there is no program.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum NcError {
     /// The ring's compensation cannot be computed.
     #[error("{0}")]

@@ -21,6 +21,14 @@ pub struct Gauge {
     pub ring: f64,
 }
 
+impl Gauge {
+    /// From what is written on a ring and a probe: diameters of the ring and of the stylus ball in mm, the probe's repeatability
+    /// and the accuracy of the ring's diameter as two sigma in µm.
+    pub fn new(diameter: f64, stylus: f64, repeatability_um: f64, accuracy_um: f64) -> Self {
+        Self { radius: (diameter - stylus) / 2.0, touch: repeatability_um / 2e3, ring: accuracy_um / 4e3 }
+    }
+}
+
 /// What the touches say.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OffsetReport {

@@ -53,6 +53,7 @@ pub struct Experiments {
 
 /// Why the experiments cannot be shown on a machine.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExperimentError {
     /// Out of reach.
     #[error(transparent)]

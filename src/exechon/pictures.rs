@@ -1,15 +1,16 @@
 //! Pictures: the machine, the dependent rotation over the workspace, the quintic, the ring.
 
 use super::{ALONG, Compensation, PointError, RingReport, rotation_at};
-use crate::plot::{Axis, Chart, HeatMap, Label, Panel, PlotError, PolarChart, Series, Shape, Sketch, Tone};
+use crate::plot::{Chart, HeatMap, Label, Mark, Panel, PlotError, PolarChart, Scale, Series, Sketch, Tone};
 use std::f64::consts::TAU;
+use trunnion_codegen::quantity::Unit;
 use trunnion_solver::exechon::{Machine, Pose};
 
 /// Cells of a map along each axis.
 const CELLS: usize = 41;
 
 fn line(name: &str, tone: Tone, points: Vec<(f64, f64)>) -> Series {
-    Series { name: name.to_owned(), tone, shape: Shape::Line(points) }
+    Series { name: name.to_owned(), tone, mark: Mark::Line(points) }
 }
 
 /// Struts, platform and tool seen from +y of the base, at home (dashed) and in a pose.
@@ -20,7 +21,7 @@ pub fn machine_picture(machine: &Machine<f64>, pose: &Pose<f64>, title: &str) ->
     let mut series = Vec::new();
     for (part, tone, points) in parts(machine, machine.home()) {
         let name = if part == "struts" { "at home" } else { "" };
-        series.push(Series { name: name.to_owned(), tone, shape: Shape::Dashed(points) });
+        series.push(Series { name: name.to_owned(), tone, mark: Mark::Dashed(points) });
     }
     series.extend(parts(machine, pose).into_iter().map(|(part, tone, points)| line(part, tone, points)));
     let d = machine.dimensions();
@@ -73,9 +74,9 @@ pub fn drm_map(
     let cells = rows.iter().map(|&y| columns.iter().map(|&x| cell(x, y)).collect()).collect();
     HeatMap {
         title: format!("Dependent rotation, tool as at home, z = {z} mm"),
-        x: Axis::new("x", "mm"),
-        y: Axis::new("y", "mm"),
-        value: Axis::new("φ", "°"),
+        x: Scale::new("x", Unit::Mm),
+        y: Scale::new("y", Unit::Mm),
+        value: Scale::new("φ", Unit::Deg),
         columns,
         rows,
         cells,
@@ -100,13 +101,16 @@ pub fn quintic_picture(machine: &Machine<f64>, quintic: &Compensation) -> Result
         fitted.push((degrees, polynomial));
         difference.push((degrees, polynomial - phi));
     }
-    let dashed = Series { name: "quintic (10)".to_owned(), tone: Tone::Vermilion, shape: Shape::Dashed(fitted) };
+    let dashed = Series { name: "quintic (10)".to_owned(), tone: Tone::Vermilion, mark: Mark::Dashed(fitted) };
     let chart = Chart {
         title: "Dependent rotation around the ring".to_owned(),
-        x: Axis::new("θ", "°"),
+        x: Scale::new("θ", Unit::Deg),
         panels: vec![
-            Panel { y: Axis::new("φ", "°"), series: vec![line("inverse kinematics", Tone::Blue, exact), dashed] },
-            Panel { y: Axis::new("difference", "°"), series: vec![line("", Tone::Black, difference)] },
+            Panel {
+                y: Scale::new("φ", Unit::Deg),
+                series: vec![line("inverse kinematics", Tone::Blue, exact), dashed],
+            },
+            Panel { y: Scale::new("difference", Unit::Deg), series: vec![line("", Tone::Black, difference)] },
         ],
     };
     Ok(chart.svg()?)
@@ -118,15 +122,17 @@ pub fn quintic_picture(machine: &Machine<f64>, quintic: &Compensation) -> Result
 /// [`PlotError`].
 pub fn ring_picture(reports: &[(&str, &RingReport)], title: &str) -> Result<String, PlotError> {
     let series = reports.iter().zip([Tone::Vermilion, Tone::Blue, Tone::Green]).map(|((name, report), tone)| {
-        let mut points: Vec<_> = report.deviations.iter().map(|(a, d)| (a.to_degrees(), 1e3 * d)).collect();
+        let mut points: Vec<_> =
+            report.deviations.iter().map(|(a, d)| (a.to_degrees(), Unit::Um.from_inner(*d))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         line(name, tone, points)
     });
-    PolarChart { title: title.to_owned(), deviation: Axis::new("deviation", "µm"), series: series.collect() }.svg()
+    PolarChart { title: title.to_owned(), deviation: Scale::new("deviation", Unit::Um), series: series.collect() }.svg()
 }
 
 /// Why there is no picture.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PictureError {
     /// Out of reach.
     #[error(transparent)]

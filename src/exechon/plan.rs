@@ -51,6 +51,7 @@ pub struct PlannedTouch {
 
 /// Why there is no plan.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PlanError {
     /// A number that cannot be.
     #[error("{0} must be {1}")]

@@ -23,6 +23,7 @@ pub struct RingReport {
 
 /// Why there is no report.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RingError {
     /// A point that the machine does not reach.
     #[error("{1}\n  {remedy}", remedy = .1.remedy())]
@@ -33,6 +34,16 @@ pub enum RingError {
 }
 
 impl RingReport {
+    /// Diameter of the ring that was touched from inside with a ball of this diameter, mm.
+    pub fn diameter(&self, stylus: f64) -> f64 {
+        2.0 * self.fit.circle.radius + stylus
+    }
+
+    /// Inner and outer diameter of its minimum zone, mm.
+    pub fn zone_diameters(&self, stylus: f64) -> [f64; 2] {
+        [self.zone.inner, self.zone.outer].map(|radius| 2.0 * radius + stylus)
+    }
+
     /// The largest standard deviation over repeats, mm; none without repeats.
     pub fn largest_std(&self) -> Option<f64> {
         self.spread.iter().map(|(.., std)| *std).reduce(f64::max)

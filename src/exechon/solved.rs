@@ -16,7 +16,7 @@ pub enum Coordinates {
 
 /// A line of a file, solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solved {
+pub struct SolvedPose {
     /// The tool point in the coordinates asked for, mm.
     pub point: [f64; 3],
     /// The tool's direction in the same.
@@ -36,7 +36,7 @@ pub fn inverse(
     file: &Path,
     coordinates: Coordinates,
     tilted: Tilted,
-) -> Result<impl Iterator<Item = Result<Solved, InputError>>, InputError> {
+) -> Result<impl Iterator<Item = Result<SolvedPose, InputError>>, InputError> {
     let to_base = machine.frame();
     let mut rows = Rows::open(file, POSES)?;
     let mut start = machine.home().start();
@@ -51,7 +51,7 @@ pub fn inverse(
             let solved = near(machine, target, &start, tilted);
             let (pose, rotation) = solved.map_err(|problem| rows.refuse(line, problem))?;
             start = pose.start();
-            Ok(Solved { point, direction, pose, rotation })
+            Ok(SolvedPose { point, direction, pose, rotation })
         }))
     }))
 }
@@ -77,7 +77,7 @@ pub fn forward(
     file: &Path,
     coordinates: Coordinates,
     tilted: Tilted,
-) -> Result<impl Iterator<Item = Result<Solved, InputError>>, InputError> {
+) -> Result<impl Iterator<Item = Result<SolvedPose, InputError>>, InputError> {
     let (frame, start) = (machine.frame(), machine.home().start());
     let mut rows = Rows::open(file, JOINTS)?;
     Ok(std::iter::from_fn(move || {
@@ -94,7 +94,7 @@ pub fn forward(
                     (frame.point_from_base(pose.point), frame.direction_from_base(*pose.direction()))
                 }
             };
-            Ok(Solved { point, direction, pose, rotation })
+            Ok(SolvedPose { point, direction, pose, rotation })
         }))
     }))
 }

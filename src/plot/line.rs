@@ -1,8 +1,9 @@
 //! Line charts: panels one below the other over a common x axis.
 
 use super::canvas::{Anchor, Canvas, FRAME, GRID, Ink, ZERO, draw, width};
-use super::series::{Axis, Extent, PlotError, Series, Shape};
+use super::series::{Extent, Mark, PlotError, Scale, Series};
 use super::ticks::Ticks;
+use trunnion_codegen::quantity::Unit;
 
 const WIDTH: f64 = 760.0;
 const LEFT: f64 = 78.0;
@@ -20,7 +21,7 @@ pub struct Chart {
     /// Above the panels; may be empty.
     pub title: String,
     /// The common x axis.
-    pub x: Axis,
+    pub x: Scale,
     /// From top to bottom.
     pub panels: Vec<Panel>,
 }
@@ -29,7 +30,7 @@ pub struct Chart {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// Its y axis.
-    pub y: Axis,
+    pub y: Scale,
     /// Drawn in this order, later ones on top.
     pub series: Vec<Series>,
 }
@@ -59,7 +60,7 @@ impl Chart {
         let extents = (1..).zip(&self.panels).map(|(at, panel)| Extent::of(&panel.series, at));
         let extents = extents.collect::<Result<Vec<_>, _>>()?;
         let all = extents.iter().copied().reduce(Extent::join).ok_or(PlotError::NoPoints { panel: 1 })?;
-        let x = if self.x.unit == "°" { Ticks::degrees(all.x) } else { Ticks::decimal(all.x, 8) };
+        let x = if self.x.unit == Unit::Deg { Ticks::degrees(all.x) } else { Ticks::decimal(all.x, 8) };
         let mut top = if self.title.is_empty() { 8.0 } else { TITLE };
         let mut frames = Vec::new();
         for (at, extent) in extents.iter().enumerate() {
@@ -76,7 +77,7 @@ impl Chart {
             for (frame, panel) in frames.iter().zip(&self.panels) {
                 axes(canvas, frame, &panel.y)?;
                 legend(canvas, &panel.series, (LEFT, frame.top - LEGEND / 2.0))?;
-                panel.series.iter().try_for_each(|series| shape(canvas, series, |point| frame.at(point)))?;
+                panel.series.iter().try_for_each(|series| draw_mark(canvas, series, |point| frame.at(point)))?;
             }
             for tick in &x.at {
                 let across = LEFT + (tick - x.range.0) / (x.range.1 - x.range.0) * (WIDTH - LEFT - RIGHT);
@@ -88,7 +89,7 @@ impl Chart {
     }
 }
 
-fn axes(canvas: &Canvas, frame: &Frame, y: &Axis) -> Result<(), PlotError> {
+fn axes(canvas: &Canvas, frame: &Frame, y: &Scale) -> Result<(), PlotError> {
     let ((x0, x1), (y0, y1)) = (frame.x.range, frame.y.range);
     for tick in &frame.x.at {
         canvas.line([frame.at((*tick, y0)), frame.at((*tick, y1))], GRID)?;
@@ -105,12 +106,12 @@ fn axes(canvas: &Canvas, frame: &Frame, y: &Axis) -> Result<(), PlotError> {
 
 /// Names with a sample of their line, in a row.
 pub(crate) fn legend(canvas: &Canvas, series: &[Series], (mut x, y): (f64, f64)) -> Result<(), PlotError> {
-    for Series { name, tone, shape } in series.iter().filter(|series| !series.name.is_empty()) {
+    for Series { name, tone, mark } in series.iter().filter(|series| !series.name.is_empty()) {
         let end = x + 26.0;
-        match shape {
-            Shape::Line(_) => canvas.line([(x, y), (end, y)], Ink::line(*tone))?,
-            Shape::Dashed(_) => canvas.dashed([(x, y), (end, y)], Ink::line(*tone))?,
-            Shape::Band(_) => {
+        match mark {
+            Mark::Line(_) => canvas.line([(x, y), (end, y)], Ink::line(*tone))?,
+            Mark::Dashed(_) => canvas.dashed([(x, y), (end, y)], Ink::line(*tone))?,
+            Mark::Band(_) => {
                 let corners = [(x, y - 5.0), (end, y - 5.0), (end, y + 5.0), (x, y + 5.0)];
                 canvas.area(corners, Ink::band(*tone))?;
             }
@@ -122,11 +123,15 @@ pub(crate) fn legend(canvas: &Canvas, series: &[Series], (mut x, y): (f64, f64))
 }
 
 /// One series, its points put on the sheet by `at`.
-pub(crate) fn shape(canvas: &Canvas, series: &Series, at: impl Fn((f64, f64)) -> (f64, f64)) -> Result<(), PlotError> {
-    match &series.shape {
-        Shape::Line(points) => canvas.line(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
-        Shape::Dashed(points) => canvas.dashed(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
-        Shape::Band(points) => {
+pub(crate) fn draw_mark(
+    canvas: &Canvas,
+    series: &Series,
+    at: impl Fn((f64, f64)) -> (f64, f64),
+) -> Result<(), PlotError> {
+    match &series.mark {
+        Mark::Line(points) => canvas.line(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
+        Mark::Dashed(points) => canvas.dashed(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
+        Mark::Band(points) => {
             let upper = points.iter().map(|(x, _, high)| at((*x, *high)));
             let lower = points.iter().rev().map(|(x, low, _)| at((*x, *low)));
             canvas.area(upper.chain(lower), Ink::band(series.tone))

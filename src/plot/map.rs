@@ -1,7 +1,7 @@
 //! A value over a plane, as colours.
 
 use super::canvas::{Anchor, Canvas, FRAME, Ink, draw};
-use super::series::{Axis, PlotError};
+use super::series::{PlotError, Scale};
 use super::ticks::Ticks;
 
 const SIDE: f64 = 420.0;
@@ -18,11 +18,11 @@ pub struct HeatMap {
     /// Above the map; may be empty.
     pub title: String,
     /// To the right.
-    pub x: Axis,
+    pub x: Scale,
     /// Upwards.
-    pub y: Axis,
+    pub y: Scale,
     /// What the colours show.
-    pub value: Axis,
+    pub value: Scale,
     /// The cells' middles along x, evenly spaced, rising.
     pub columns: Vec<f64>,
     /// The cells' middles along y, evenly spaced, rising.
@@ -105,7 +105,7 @@ fn frame(canvas: &Canvas, [(x0, y0), (x1, y1)]: [(f64, f64); 2]) -> Result<(), P
     canvas.line([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)], FRAME)
 }
 
-fn bar(canvas: &Canvas, scale: &Ticks, value: &Axis) -> Result<(), PlotError> {
+fn bar(canvas: &Canvas, scale: &Ticks, value: &Scale) -> Result<(), PlotError> {
     let (x, (low, high)) = (LEFT + SIDE + 24.0, scale.range);
     let at = |v: f64| TOP + SIDE * (1.0 - (v - low) / (high - low));
     for shade in 0..SHADES {

@@ -16,5 +16,5 @@ mod ticks;
 pub use line::{Chart, Panel};
 pub use map::HeatMap;
 pub use polar::PolarChart;
-pub use series::{Axis, PlotError, Series, Shape, Tone};
+pub use series::{Mark, PlotError, Scale, Series, Tone};
 pub use sketch::{Label, Sketch};

@@ -1,8 +1,8 @@
 //! The picture of a ball-bar test: radial deviations around the circle, magnified.
 
 use super::canvas::{Anchor, Canvas, FRAME, GRID, PAPER, ZERO, draw, width};
-use super::line::{legend, shape};
-use super::series::{Axis, Extent, PlotError, Series, Shape};
+use super::line::{draw_mark, legend};
+use super::series::{Extent, Mark, PlotError, Scale, Series};
 use super::ticks::Ticks;
 
 const SIZE: f64 = 560.0;
@@ -24,7 +24,7 @@ pub struct PolarChart {
     /// Above the circle; may be empty.
     pub title: String,
     /// What is drawn outward, and its unit.
-    pub deviation: Axis,
+    pub deviation: Scale,
     /// Drawn in this order, later ones on top.
     pub series: Vec<Series>,
 }
@@ -68,7 +68,7 @@ impl PolarChart {
             legend(canvas, &self.series, (24.0, top + LEGEND / 2.0))?;
             grid(canvas, &dial)?;
             scale(canvas, &dial)?;
-            closed.iter().try_for_each(|series| shape(canvas, series, |point| dial.at(point)))?;
+            closed.iter().try_for_each(|series| draw_mark(canvas, series, |point| dial.at(point)))?;
             let unit = self.deviation.title();
             canvas.text(&unit, (SIZE - 24.0 - width(&unit, TEXT) / 2.0, top + LEGEND / 2.0), TEXT, Anchor::Centre)
         })
@@ -103,9 +103,9 @@ fn scale(canvas: &Canvas, dial: &Dial) -> Result<(), PlotError> {
 /// A series whose points go round the whole turn, joined at its ends.
 fn close(series: &Series) -> Series {
     let mut closed = series.clone();
-    match &mut closed.shape {
-        Shape::Line(points) | Shape::Dashed(points) => join(points, |point| point.0),
-        Shape::Band(points) => join(points, |point| point.0),
+    match &mut closed.mark {
+        Mark::Line(points) | Mark::Dashed(points) => join(points, |point| point.0),
+        Mark::Band(points) => join(points, |point| point.0),
     }
     closed
 }

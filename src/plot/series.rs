@@ -1,9 +1,11 @@
-//! What is drawn: series with a shape and a colour.
+//! What is drawn: series with a mark and a colour.
 
 use thiserror::Error;
+use trunnion_codegen::quantity::Unit;
 
 /// Why there is no picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum PlotError {
     /// A panel without a single point.
     #[error("panel {panel} has no points")]
@@ -22,23 +24,23 @@ pub enum PlotError {
     Backend,
 }
 
-/// An axis: what it shows, in which unit.
+/// What an axis of a picture shows, in which unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Axis {
+pub struct Scale {
     /// What it shows.
     pub label: String,
-    /// Its unit; an axis in `°` has ticks at parts of a turn.
-    pub unit: String,
+    /// Its unit; an axis in degrees has ticks at parts of a turn.
+    pub unit: Unit,
 }
 
-impl Axis {
+impl Scale {
     /// An axis.
-    pub fn new(label: &str, unit: &str) -> Self {
-        Self { label: label.to_owned(), unit: unit.to_owned() }
+    pub fn new(label: &str, unit: Unit) -> Self {
+        Self { label: label.to_owned(), unit }
     }
 
     pub(crate) fn title(&self) -> String {
-        if self.unit.is_empty() { self.label.clone() } else { format!("{} / {}", self.label, self.unit) }
+        format!("{} / {}", self.label, self.unit.symbol())
     }
 }
 
@@ -50,12 +52,12 @@ pub struct Series {
     /// Its colour.
     pub tone: Tone,
     /// How it is drawn, through which points.
-    pub shape: Shape,
+    pub mark: Mark,
 }
 
 /// How a series is drawn; points in the order they are joined.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
+pub enum Mark {
     /// A line through (x, y).
     Line(Vec<(f64, f64)>),
     /// A dashed line through (x, y).
@@ -91,12 +93,12 @@ impl Tone {
     }
 }
 
-impl Shape {
+impl Mark {
     /// Every (x, y) it touches.
     pub(crate) fn points(&self) -> Vec<(f64, f64)> {
         match self {
-            Shape::Line(points) | Shape::Dashed(points) => points.clone(),
-            Shape::Band(points) => points.iter().flat_map(|(x, low, high)| [(*x, *low), (*x, *high)]).collect(),
+            Mark::Line(points) | Mark::Dashed(points) => points.clone(),
+            Mark::Band(points) => points.iter().flat_map(|(x, low, high)| [(*x, *low), (*x, *high)]).collect(),
         }
     }
 }
@@ -113,7 +115,7 @@ const LARGEST: f64 = 1e100;
 
 impl Extent {
     pub(crate) fn of(series: &[Series], panel: usize) -> Result<Self, PlotError> {
-        let points: Vec<_> = series.iter().flat_map(|series| series.shape.points()).collect();
+        let points: Vec<_> = series.iter().flat_map(|series| series.mark.points()).collect();
         if !points.iter().all(|(x, y)| x.abs() <= LARGEST && y.abs() <= LARGEST) {
             return Err(PlotError::NotFinite { panel });
         }

@@ -1,7 +1,7 @@
 //! A drawing to scale.
 
 use super::canvas::{Anchor, draw};
-use super::line::{legend, shape};
+use super::line::{draw_mark, legend};
 use super::series::{Extent, PlotError, Series};
 
 const WIDTH: f64 = 620.0;
@@ -46,7 +46,7 @@ impl Sketch {
         draw((WIDTH as u32, height as u32), |canvas| {
             canvas.text(&self.title, (WIDTH / 2.0, TITLE * 0.5), TEXT + 3.0, Anchor::Centre)?;
             legend(canvas, &self.series, (MARGIN, TITLE + LEGEND / 3.0))?;
-            self.series.iter().try_for_each(|series| shape(canvas, series, at))?;
+            self.series.iter().try_for_each(|series| draw_mark(canvas, series, at))?;
             self.labels.iter().try_for_each(|label| {
                 let (x, y) = at(label.at);
                 canvas.text(&label.text, (x + 7.0, y - 9.0), TEXT, Anchor::Left)

@@ -15,20 +15,26 @@ use trunnion_codegen::ids::{BaseId, ParameterId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
 use trunnion_codegen::model::AxisKind;
+use trunnion_codegen::quantity::Unit;
 use typed_index_collections::TiVec;
 
 /// Largest errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub struct ErrorLimits {
     /// Of lengths, mm.
     pub length: f64,
     /// Of angles, rad.
     pub angle: f64,
 }
 
-impl Limits {
+impl ErrorLimits {
     /// The paper's: ±30 µm and ±100 µrad.
     pub const PAPER: Self = Self { length: 0.03, angle: 1e-4 };
+
+    /// Limits in µm and µrad.
+    pub fn scaled(length_um: f64, angle_urad: f64) -> Self {
+        Self { length: length_um * Unit::Um.factor(), angle: angle_urad * Unit::Urad.factor() }
+    }
 
     /// The limit of an error.
     pub fn of(&self, quantity: Quantity) -> f64 {
@@ -41,15 +47,15 @@ impl Limits {
 
 /// One machine: a value for every error.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Machine {
-    values: Vec<Shape>,
+pub struct SimulatedMachine {
+    values: Vec<ErrorShape>,
     /// Of each error, the factors of the functions it is a combination of.
     coefficients: Vec<Vec<f64>>,
 }
 
 /// An error's value as a function of its coordinate.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum ErrorShape {
     Constant(f64),
     /// Coefficients of x⁰, x¹, …
     Polynomial(Vec<f64>),
@@ -57,7 +63,7 @@ pub(super) enum Shape {
     Harmonics(f64, Vec<(f64, f64)>),
 }
 
-impl Shape {
+impl ErrorShape {
     pub fn at(&self, x: f64) -> f64 {
         match self {
             Self::Constant(v) => *v,
@@ -85,13 +91,13 @@ impl Shape {
     }
 }
 
-impl ErrorValues for Machine {
+impl ErrorValues for SimulatedMachine {
     fn value(&self, error: ErrorId, coordinate: f64) -> f64 {
         self.values[error.index()].at(coordinate)
     }
 }
 
-impl Machine {
+impl SimulatedMachine {
     /// True value of every physical parameter of the derivation, in its order: mm, rad, or per power of the coordinate.
     pub fn parameters(&self, setup: &Setup) -> TiVec<ParameterId, f64> {
         let value = |p: &Parameter| match p.origin {
@@ -117,18 +123,18 @@ impl Machine {
 }
 
 /// Draws a machine. `runs` are the runs to be simulated: they say over which coordinates a function is scaled.
-pub fn draw(setup: &Setup, runs: &[ExactReading], limits: Limits, random: &mut impl Rng) -> Machine {
+pub fn draw(setup: &Setup, runs: &[ExactReading], limits: ErrorLimits, random: &mut impl Rng) -> SimulatedMachine {
     let model = &setup.model;
     let shape = |(id, _, quantity): (ErrorId, &str, Quantity)| {
         let limit = limits.of(quantity);
         let Some((axis, _)) = model.axis_of(id) else {
             let value = uniform(random) * limit;
-            return (Shape::Constant(value), vec![value]);
+            return (ErrorShape::Constant(value), vec![value]);
         };
         let coordinates: Vec<f64> = runs.iter().flat_map(|r| r.run().coordinates(axis)).flatten().collect();
         let parts = parts(setup, id);
-        let largest = |s: &Shape| coordinates.iter().map(|&x| s.at(x).abs()).fold(0.0, f64::max);
-        let inverse = |s: &Shape| Some(largest(s)).filter(|size| *size > 0.0).map_or(0.0, f64::recip);
+        let largest = |s: &ErrorShape| coordinates.iter().map(|&x| s.at(x).abs()).fold(0.0, f64::max);
+        let inverse = |s: &ErrorShape| Some(largest(s)).filter(|size| *size > 0.0).map_or(0.0, f64::recip);
         let factors: Vec<f64> = parts.iter().map(|s| uniform(random) * inverse(s)).collect();
         let sum = sum(parts.into_iter().zip(&factors).map(|(s, f)| s.scaled(*f)).collect());
         let scale = limit * random.random::<f64>() * inverse(&sum);
@@ -136,12 +142,12 @@ pub fn draw(setup: &Setup, runs: &[ExactReading], limits: Limits, random: &mut i
         (sum.scaled(scale), coefficients)
     };
     let (values, coefficients) = model.alphabet.errors().map(shape).unzip();
-    Machine { values, coefficients }
+    SimulatedMachine { values, coefficients }
 }
 
 /// The functions an error is a combination of: 1 for a location or set-up error.
-pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<Shape> {
-    let Some((axis, _)) = setup.model.axis_of(error) else { return vec![Shape::Constant(1.0)] };
+pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<ErrorShape> {
+    let Some((axis, _)) = setup.model.axis_of(error) else { return vec![ErrorShape::Constant(1.0)] };
     let kind = setup.model.axis(axis).map_or(AxisKind::Linear, |a| a.kind);
     let wave = |k: usize, at: usize, cos: bool| {
         let mut waves = vec![(0.0, 0.0); k];
@@ -152,33 +158,37 @@ pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<Shape> {
         (Some(Basis::Zero), _) => Vec::new(),
         (Some(Basis::Polynomials(p)), _) => {
             let number = |u: &Univariate| u.coefficients(&setup.model.alphabet, &|n| setup.constant(n));
-            p.iter().map(|u| Shape::Polynomial(number(u))).collect()
+            p.iter().map(|u| ErrorShape::Polynomial(number(u))).collect()
         }
         (Some(Basis::Fourier(n)), _) => {
             let n = usize::from(*n);
-            (1..=n).flat_map(|k| [true, false].map(|cos| Shape::Harmonics(0.0, wave(n, k, cos)))).collect()
+            (1..=n).flat_map(|k| [true, false].map(|cos| ErrorShape::Harmonics(0.0, wave(n, k, cos)))).collect()
         }
-        (_, AxisKind::Linear) => vec![Shape::Polynomial(vec![0.0, 1.0]), Shape::Polynomial(vec![0.0, 0.0, 1.0])],
+        (_, AxisKind::Linear) => {
+            vec![ErrorShape::Polynomial(vec![0.0, 1.0]), ErrorShape::Polynomial(vec![0.0, 0.0, 1.0])]
+        }
         (_, AxisKind::Rotary) => (1..=2)
-            .flat_map(|k| [Shape::Harmonics(-1.0, wave(2, k, true)), Shape::Harmonics(0.0, wave(2, k, false))])
+            .flat_map(|k| {
+                [ErrorShape::Harmonics(-1.0, wave(2, k, true)), ErrorShape::Harmonics(0.0, wave(2, k, false))]
+            })
             .collect(),
     }
 }
 
-fn sum(shapes: Vec<Shape>) -> Shape {
-    let add = |a: Shape, b: Shape| match (a, b) {
-        (Shape::Polynomial(a), Shape::Polynomial(b)) => {
+fn sum(shapes: Vec<ErrorShape>) -> ErrorShape {
+    let add = |a: ErrorShape, b: ErrorShape| match (a, b) {
+        (ErrorShape::Polynomial(a), ErrorShape::Polynomial(b)) => {
             let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
-            Shape::Polynomial((0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect())
+            ErrorShape::Polynomial((0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect())
         }
-        (Shape::Harmonics(c, a), Shape::Harmonics(d, b)) => {
+        (ErrorShape::Harmonics(c, a), ErrorShape::Harmonics(d, b)) => {
             let at = |w: &[(f64, f64)], i: usize| w.get(i).copied().unwrap_or((0.0, 0.0));
             let pair = |i| (at(&a, i).0 + at(&b, i).0, at(&a, i).1 + at(&b, i).1);
-            Shape::Harmonics(c + d, (0..a.len().max(b.len())).map(pair).collect())
+            ErrorShape::Harmonics(c + d, (0..a.len().max(b.len())).map(pair).collect())
         }
         (a, _) => a,
     };
-    shapes.into_iter().reduce(add).unwrap_or(Shape::Constant(0.0))
+    shapes.into_iter().reduce(add).unwrap_or(ErrorShape::Constant(0.0))
 }
 
 fn uniform(random: &mut impl Rng) -> f64 {

@@ -1,7 +1,8 @@
 //! The largest error of an estimated function over many drawn machines, and where it comes from.
 
-use super::draw::{Limits, draw};
-use super::fit::{Estimator, FitError, Observation, fit};
+use super::draw::{ErrorLimits, draw};
+use super::estimate::{EstimateError, fit};
+use super::fit::{Estimator, Observation};
 use super::setup::Setup;
 use super::simulate::grid;
 use super::weights::Weights;
@@ -15,7 +16,7 @@ use typed_index_collections::{TiSlice, TiVec};
 
 /// What is drawn, and how often.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plan {
+pub struct Draws {
     /// Number of machines.
     pub trials: u64,
     /// Samples of each run.
@@ -23,10 +24,10 @@ pub struct Plan {
     /// First and last sweep, rad.
     pub range: (f64, f64),
     /// Bounds of the errors.
-    pub limits: Limits,
+    pub limits: ErrorLimits,
     /// Half width of the uniform noise, mm.
     pub noise: f64,
-    /// Machine n is drawn from stream n of this seed, whatever thread does it.
+    /// SimulatedMachine n is drawn from stream n of this seed, whatever thread does it.
     pub seed: u64,
 }
 
@@ -96,15 +97,15 @@ const POINTS: usize = 1441;
 /// Draws machines, simulates all runs exactly and estimates one function; `done` is called after every machine.
 ///
 /// # Errors
-/// [`FitError`] if these runs over this range do not determine the function.
+/// [`EstimateError`] if these runs over this range do not determine the function.
 pub fn monte_carlo(
     setup: &Setup,
-    plan: Plan,
+    draws: Draws,
     estimator: Estimator,
     function: FunctionId,
     done: &(dyn Fn() + Sync),
-) -> Result<Vec<Trial>, FitError> {
-    let sweeps = grid(plan.samples, plan.range);
+) -> Result<Vec<Trial>, EstimateError> {
+    let sweeps = grid(draws.samples, draws.range);
     let runs = || setup.model.runs.keys();
     let exact: TiVec<RunId, ExactReading> = runs().map(|r| setup.exact(r, &sweeps)).collect();
     // The estimate is linear in the readings: its matrix is worked out once, on readings of zero.
@@ -113,9 +114,9 @@ pub fn monte_carlo(
     let coefficients: Vec<BaseId> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
     let operator: Vec<Weights> =
         coefficients.iter().map(|&b| estimate.coefficient_sensitivity(setup, &observations, b)).collect();
-    let step = (plan.range.1 - plan.range.0) / (POINTS - 1) as f64;
+    let step = (draws.range.1 - draws.range.0) / (POINTS - 1) as f64;
     let points: Vec<(f64, Vec<f64>)> = (0..POINTS)
-        .map(|i| plan.range.0 + step * i as f64)
+        .map(|i| draws.range.0 + step * i as f64)
         .map(|x| (x, setup.basis(function, x).into_iter().map(|(_, v)| v).collect()))
         .collect();
     let factors: TiVec<RunId, KnownFactors> = runs().map(|run| KnownFactors::new(setup, run, &sweeps)).collect();
@@ -124,9 +125,9 @@ pub fn monte_carlo(
     let together = coefficients.iter().any(|&b| !setup.derivation.is_alone(b));
 
     let trial = |n: u64| {
-        let mut random = ChaCha8Rng::seed_from_u64(plan.seed);
+        let mut random = ChaCha8Rng::seed_from_u64(draws.seed);
         random.set_stream(n);
-        let machine = draw(setup, &exact.raw, plan.limits, &mut random);
+        let machine = draw(setup, &exact.raw, draws.limits, &mut random);
         let apply = |readings: &[Vec<f64>]| -> Vec<f64> { operator.iter().map(|w| w.apply(readings)).collect() };
         let clean: Vec<Vec<f64>> = runs()
             .map(|run| {
@@ -135,7 +136,7 @@ pub fn monte_carlo(
                 y
             })
             .collect();
-        let width = plan.noise;
+        let width = draws.noise;
         let noise: Vec<Vec<f64>> =
             runs().map(|_| sweeps.iter().map(|_| random.random_range(-1.0..=1.0) * width).collect()).collect();
         let base = together.then(|| machine.base(setup));
@@ -155,5 +156,5 @@ pub fn monte_carlo(
         done();
         worst
     };
-    Ok((0..plan.trials).into_par_iter().map(trial).collect())
+    Ok((0..draws.trials).into_par_iter().map(trial).collect())
 }

@@ -1,6 +1,6 @@
 //! What linearisation drops: the second-order terms of a reading, bounded for given limits of the errors.
 
-use super::draw::Limits;
+use super::draw::ErrorLimits;
 use super::setup::{Setup, SetupError};
 use trunnion_codegen::algebra::{Monomial, Nominal, Order};
 use trunnion_codegen::emit::model::poly;
@@ -38,11 +38,10 @@ impl SecondOrder {
     /// Derives a run at order 2.
     pub fn new(setup: &Setup, run: RunId) -> Result<Self, SetupError> {
         let model = &setup.model;
-        let algebra = |e| SetupError::Derive(DeriveError::Algebra(e));
-        let order = Order::new(2).map_err(algebra)?;
-        let second = reading(model, &model.runs[run], order)
-            .map_err(|e| SetupError::Derive(DeriveError::Reading(run, e)))?
-            .of_order(2);
+        let refused = |e| SetupError::derivation(model, &e);
+        let order = Order::new(2).map_err(|e| refused(DeriveError::Algebra(e)))?;
+        let second =
+            reading(model, &model.runs[run], order).map_err(|e| refused(DeriveError::Reading(run, e)))?.of_order(2);
         let terms = second.by_errors();
         let mut graph = Graph::new();
         let outputs: Vec<_> = terms.iter().map(|(_, p)| poly(&mut graph, &model.alphabet, p)).collect();
@@ -76,7 +75,7 @@ pub(super) fn product_name(setup: &Setup, errors: &Monomial) -> String {
 }
 
 /// The largest value of a product within the limits.
-pub(super) fn product_size(setup: &Setup, errors: &Monomial, limits: Limits) -> f64 {
+pub(super) fn product_size(setup: &Setup, errors: &Monomial, limits: ErrorLimits) -> f64 {
     errors.errors().map(|e| limits.of(setup.model.alphabet.error_quantity(e))).product()
 }
 
@@ -84,7 +83,7 @@ pub(super) fn product_size(setup: &Setup, errors: &Monomial, limits: Limits) -> 
 ///
 /// # Errors
 /// [`SetupError`] where the exact arithmetic overflows.
-pub fn neglected(setup: &Setup, run: RunId, sweeps: &[f64], limits: Limits) -> Result<Neglected, SetupError> {
+pub fn neglected(setup: &Setup, run: RunId, sweeps: &[f64], limits: ErrorLimits) -> Result<Neglected, SetupError> {
     let second = SecondOrder::new(setup, run)?;
     let sizes: Vec<f64> = second.products.iter().map(|errors| product_size(setup, errors, limits)).collect();
     let mut largest = vec![0.0f64; sizes.len()];

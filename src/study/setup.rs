@@ -1,11 +1,16 @@
 //! A model with numbers for its constants, ready to evaluate.
 
+use core::fmt;
+use std::collections::BTreeSet;
 use trunnion_codegen::algebra::{Fraction, Poly, at};
+use trunnion_codegen::catalogue;
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
 use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, derive};
 use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId, TermId};
-use trunnion_codegen::model::{Component, Model};
+use trunnion_codegen::model::{self, Axis, AxisKind, Model, Problem, ReadingKind};
+use trunnion_codegen::problems::of_derivation;
+use trunnion_codegen::quantity::Quantity;
 use typed_index_collections::TiVec;
 
 /// A model, its derivation, and the lengths of the set-up in mm.
@@ -22,17 +27,63 @@ pub struct Setup {
 
 /// Why a model cannot be put to work.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum SetupError {
-    /// It has no measurement model.
-    Derive(DeriveError),
+    /// No such model in the catalogue.
+    NotInCatalogue(String),
+    /// What is wrong with the description, or keeps its runs from having a measurement model.
+    Description(Vec<Problem>),
     /// A constant has no value.
     NoValue(String),
     /// A value is not a positive finite length: name, mm.
     NotALength(String, f64),
     /// A value for a constant that the model does not have.
-    NotAConstant(String),
+    NotAConstant {
+        /// The name given.
+        name: String,
+        /// The constants of the model.
+        constants: Vec<String>,
+    },
     /// A generated row depends on something that is neither constant nor sweep: a defect of the derivation.
     Unbound(Unbound),
+}
+
+impl fmt::Display for SetupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotInCatalogue(name) => {
+                let names: Vec<&str> = catalogue::MODELS.iter().map(|(name, _)| *name).collect();
+                write!(f, "no model `{name}` in the catalogue\n  expected one of {}", names.join(", "))
+            }
+            Self::Description(problems) => {
+                for (at, problem) in problems.iter().enumerate() {
+                    let between = if at > 0 { "\n" } else { "" };
+                    write!(f, "{between}{}", problem.kind)?;
+                    if let Some(help) = problem.kind.help() {
+                        write!(f, "\n  {help}")?;
+                    }
+                }
+                Ok(())
+            }
+            Self::NoValue(name) => write!(f, "the constant {name} has no value\n  expected its length in mm"),
+            Self::NotALength(name, value) => {
+                write!(f, "{name} = {value} mm is not a length\n  expected a positive number of mm")
+            }
+            Self::NotAConstant { name, constants } => {
+                write!(f, "the model has no constant `{name}`\n  expected {}", constants.join(", "))
+            }
+            Self::Unbound(e) => write!(f, "the derived row is wrong: {e}"),
+        }
+    }
+}
+
+impl core::error::Error for SetupError {}
+
+impl SetupError {
+    /// A failed derivation of a model.
+    pub(super) fn derivation(model: &Model, error: &DeriveError) -> Self {
+        Self::Description(of_derivation(model, error))
+    }
 }
 
 impl From<Unbound> for SetupError {
@@ -47,9 +98,10 @@ impl Setup {
     /// # Errors
     /// [`SetupError`]
     pub fn new(model: Model, values: &[(&str, f64)]) -> Result<Self, SetupError> {
-        let derivation = derive(&model).map_err(SetupError::Derive)?;
+        let derivation = derive(&model).map_err(|e| SetupError::derivation(&model, &e))?;
         if let Some((name, _)) = values.iter().find(|(name, _)| model.alphabet.find_constant(name).is_none()) {
-            return Err(SetupError::NotAConstant((*name).to_owned()));
+            let constants = model.alphabet.constants().map(str::to_owned).collect();
+            return Err(SetupError::NotAConstant { name: (*name).to_owned(), constants });
         }
         let value = |name: &str| match values.iter().find(|(n, _)| *n == name) {
             None => Err(SetupError::NoValue(name.to_owned())),
@@ -62,6 +114,23 @@ impl Setup {
         Ok(Self { model, derivation, constants, runs })
     }
 
+    /// A model of the catalogue with values for its constants, mm.
+    ///
+    /// # Errors
+    /// [`SetupError`]
+    pub fn from_catalogue(name: &str, values: &[(&str, f64)]) -> Result<Self, SetupError> {
+        let model = catalogue::model(name).ok_or_else(|| SetupError::NotInCatalogue(name.to_owned()))?;
+        Self::new(model.map_err(SetupError::Description)?, values)
+    }
+
+    /// A model file's text with values for its constants, mm.
+    ///
+    /// # Errors
+    /// [`SetupError`]
+    pub fn from_description(text: &str, values: &[(&str, f64)]) -> Result<Self, SetupError> {
+        Self::new(model::read(text).map_err(SetupError::Description)?, values)
+    }
+
     /// Value of a constant, mm.
     pub fn constant(&self, name: &str) -> f64 {
         self.model.alphabet.constants().zip(&self.constants).find(|(n, _)| *n == name).map_or(f64::NAN, |(_, v)| *v)
@@ -72,10 +141,15 @@ impl Setup {
         self.model.runs.position(|r| r.name == name)
     }
 
+    /// Nominal length of the bar that a run reads, mm; none of a run that reads displacements.
+    pub fn bar(&self, run: RunId) -> Option<f64> {
+        bar(&self.model, &self.model.runs[run].reading).map(|name| self.constant(&name))
+    }
+
     /// Evaluates a run's row.
-    pub fn row(&self, run: RunId) -> Row<'_> {
+    pub fn row(&self, run: RunId) -> RunRow<'_> {
         let inputs = self.constants.iter().copied().chain([0.0]).collect();
-        Row {
+        RunRow {
             evaluator: self.runs[run].evaluator(),
             inputs,
             outputs: vec![0.0; self.runs[run].outputs()],
@@ -108,22 +182,51 @@ impl Setup {
         self.model.notation.function(self.model.alphabet.error_name(self.model.functions[function].error))
     }
 
-    /// Which of the six components of its axis' errors a function is.
-    pub fn component(&self, function: FunctionId) -> Option<Component> {
-        self.model.axis_of(self.model.functions[function].error).map(|(_, c)| c)
+    /// What a function measures.
+    pub fn quantity(&self, function: FunctionId) -> Quantity {
+        self.model.alphabet.error_quantity(self.model.functions[function].error)
+    }
+
+    /// The axis whose coordinate a function depends on.
+    pub fn axis(&self, function: FunctionId) -> Option<&Axis> {
+        let (axis, _) = self.model.axis_of(self.model.functions[function].error)?;
+        self.model.axis(axis)
+    }
+}
+
+/// The constants that are lengths of bars.
+pub fn bars(model: &Model) -> Vec<String> {
+    let mut bars: Vec<String> = model.runs.iter().filter_map(|run| bar(model, &run.reading)).collect();
+    let mut seen = BTreeSet::new();
+    bars.retain(|bar| seen.insert(bar.clone()));
+    bars
+}
+
+fn bar(model: &Model, reading: &ReadingKind) -> Option<String> {
+    match reading {
+        ReadingKind::BarLength(id) => Some(model.alphabet.nominal_name(*id)),
+        ReadingKind::Displacement(_) => None,
+    }
+}
+
+/// What an axis' coordinate measures.
+pub fn coordinate(axis: &Axis) -> Quantity {
+    match axis.kind {
+        AxisKind::Rotary => Quantity::Angle,
+        AxisKind::Linear => Quantity::Length,
     }
 }
 
 /// A run's row at a value of its sweep.
 #[derive(Debug)]
-pub struct Row<'a> {
+pub struct RunRow<'a> {
     evaluator: Evaluator<'a>,
     inputs: Vec<f64>,
     outputs: Vec<f64>,
     split: usize,
 }
 
-impl Row<'_> {
+impl RunRow<'_> {
     /// Regressors of the base parameters that the run sees, and factors of its known functions, at `sweep` (rad).
     pub fn at(&mut self, sweep: f64) -> (&[f64], &[f64]) {
         if let Some(last) = self.inputs.last_mut() {

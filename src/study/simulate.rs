@@ -1,6 +1,6 @@
 //! What an instrument reads on a drawn machine.
 
-use super::draw::Machine;
+use super::draw::SimulatedMachine;
 use super::fit::{Observation, Sample};
 use super::setup::Setup;
 use trunnion_codegen::ids::RunId;
@@ -26,7 +26,7 @@ impl Setup {
         run: RunId,
         exact: &ExactReading,
         sweeps: &[f64],
-        machine: &Machine,
+        machine: &SimulatedMachine,
         mut noise: impl FnMut() -> f64,
     ) -> Observation {
         let known = self.true_known(run, exact, machine);
@@ -40,7 +40,7 @@ impl Setup {
     }
 
     /// True values of a run's known functions at its samples, mm or rad, in the order of its derivation.
-    pub fn true_known(&self, run: RunId, exact: &ExactReading, machine: &Machine) -> Vec<Vec<f64>> {
+    pub fn true_known(&self, run: RunId, exact: &ExactReading, machine: &SimulatedMachine) -> Vec<Vec<f64>> {
         let mut at_samples: Vec<Vec<f64>> = Vec::new();
         for (function, _) in &self.derivation.runs[run].known {
             let error = self.model.functions[*function].error;

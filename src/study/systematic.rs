@@ -5,7 +5,7 @@
 //! samples are worked out once for each pair of functions; what remains is quadratic in their factors, and its size on
 //! machines drawn within the limits is a mean over draws.
 
-use super::draw::{Limits, Machine, draw, parts};
+use super::draw::{ErrorLimits, SimulatedMachine, draw, parts};
 use super::fit::{Fit, Observation};
 use super::neglected::{SecondOrder, product_name, product_size};
 use super::setup::{Setup, SetupError};
@@ -32,12 +32,12 @@ pub struct Systematic {
     /// Its root mean square there, over machines drawn within the limits: a standard deviation.
     pub typical: f64,
     /// Each product of two errors, the one that contributes most first.
-    pub terms: Vec<Term>,
+    pub terms: Vec<Contribution>,
 }
 
 /// What one product of two errors contributes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Term {
+pub struct Contribution {
     /// `o_ya·e_ya`
     pub name: String,
     /// Root mean square over drawn machines.
@@ -57,7 +57,7 @@ struct Product {
 
 impl Product {
     /// How it moves each coefficient on a machine.
-    fn on<'a>(&'a self, machine: &'a Machine) -> impl Iterator<Item = f64> + 'a {
+    fn on<'a>(&'a self, machine: &'a SimulatedMachine) -> impl Iterator<Item = f64> + 'a {
         let [first, second] = self.errors.map(|e| machine.factors(e));
         let pairs = self.counts[0] * self.counts[1];
         self.moves.chunks(pairs.max(1)).map(move |moves| {
@@ -76,7 +76,7 @@ pub fn systematic(
     observations: &[Observation],
     fit: &Fit,
     function: FunctionId,
-    limits: Limits,
+    limits: ErrorLimits,
     points: &[f64],
 ) -> Result<Systematic, SetupError> {
     let basis = |x: f64| -> Vec<f64> { setup.basis(function, x).into_iter().map(|(_, v)| v).collect() };
@@ -106,12 +106,12 @@ pub fn systematic(
     let (at, typical) = points.iter().fold((points.first().copied().unwrap_or(0.0), 0.0), largest);
     let here = basis(at);
     let bounds = bounds(setup, observations, &seconds, &weights, &here, limits);
-    let term = |((errors, _), moments): (&(Monomial, Product), &Moments)| Term {
+    let term = |((errors, _), moments): (&(Monomial, Product), &Moments)| Contribution {
         name: product_name(setup, errors),
         typical: moments.at(&here),
         bound: bounds.get(errors).copied().unwrap_or(0.0),
     };
-    let mut terms: Vec<Term> = products.iter().zip(&single).map(term).collect();
+    let mut terms: Vec<Contribution> = products.iter().zip(&single).map(term).collect();
     terms.sort_by(|a, b| b.typical.total_cmp(&a.typical));
     Ok(Systematic { at, typical, terms })
 }
@@ -184,7 +184,7 @@ fn bounds(
     seconds: &[SecondOrder],
     weights: &[Weights],
     here: &[f64],
-    limits: Limits,
+    limits: ErrorLimits,
 ) -> BTreeMap<Monomial, f64> {
     // Signed sums for products of constants, sums of sizes for the others.
     let mut sums: BTreeMap<Monomial, f64> = BTreeMap::new();
@@ -207,7 +207,11 @@ fn bounds(
 }
 
 /// Machines within the limits, the same ones every time.
-fn machines(setup: &Setup, observations: &[Observation], limits: Limits) -> impl Iterator<Item = Machine> {
+fn machines(
+    setup: &Setup,
+    observations: &[Observation],
+    limits: ErrorLimits,
+) -> impl Iterator<Item = SimulatedMachine> {
     let exact = |o: &Observation| {
         let sweeps = o.samples.iter().map(|s| s.sweep);
         let (low, high) = sweeps.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)));

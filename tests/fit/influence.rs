@@ -1,7 +1,8 @@
 //! What a reading, a weight and a missing table do to the estimate.
 
 use super::{ESTIMATORS, Set, TILTING, relative};
-use trunnion::study::{Estimator, Fit, Limits, Observation, Warning, fit, report};
+use trunnion::data::Unit;
+use trunnion::study::{ErrorLimits, Estimator, Fit, Observation, Warning, fit, report};
 
 #[test]
 fn sensitivity_is_what_a_moved_reading_does() {
@@ -61,13 +62,16 @@ fn the_cost_of_no_table_is_what_the_worst_table_does() {
     }
     for (estimator, key) in ESTIMATORS {
         let whole = set.fit(estimator);
-        let said = report(&set.setup, &set.observations, &whole, Limits::PAPER, true).unwrap();
+        let said = report(&set.setup, &set.observations, &whole, ErrorLimits::PAPER, true).unwrap();
         let costs: Vec<(&str, f64)> = said
             .warnings
             .iter()
             .filter_map(|w| match w {
                 Warning::TakenAsZero { known, unit, costs } => {
-                    assert_eq!((*unit, costs[0].0.as_str(), costs[0].1, costs.len()), ("um", "eps_xa", "urad", 1));
+                    assert_eq!(
+                        (*unit, costs[0].0.as_str(), costs[0].1, costs.len()),
+                        (Unit::Um, "eps_xa", Unit::Urad, 1)
+                    );
                     Some((known.as_str(), costs[0].2))
                 }
                 _ => None,

@@ -3,7 +3,7 @@
 use super::{ESTIMATORS, Set, number, relative};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use trunnion::study::{Limits, draw, grid, neglected};
+use trunnion::study::{ErrorLimits, draw, grid, neglected};
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::measurement::ExactReading;
 use typed_index_collections::TiVec;
@@ -14,7 +14,7 @@ fn without_noise_what_is_left_is_linearisations_and_within_its_bound() {
     let truth = set.truth["eps_xa"].as_array().unwrap();
     for (estimator, key) in ESTIMATORS {
         let (report, curve) = set.report(estimator);
-        let left = |p: &trunnion::study::Point| {
+        let left = |p: &trunnion::study::CurvePoint| {
             let truth = truth.iter().find(|t| (number(&t["a_deg"]) - p.at).abs() < 1e-9).unwrap();
             (p.value - number(&truth["urad"])).abs()
         };
@@ -38,10 +38,10 @@ fn no_drawn_machine_is_further_from_linear_than_the_bound() {
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let mut closest = 0.0f64;
     for _ in 0..100 {
-        let machine = draw(&set.setup, &exact.raw, Limits::PAPER, &mut random);
+        let machine = draw(&set.setup, &exact.raw, ErrorLimits::PAPER, &mut random);
         let base = machine.base(&set.setup);
         for (run, exact) in exact.iter_enumerated() {
-            let bound = neglected(&set.setup, run, &sweeps, Limits::PAPER).unwrap().bound;
+            let bound = neglected(&set.setup, run, &sweeps, ErrorLimits::PAPER).unwrap().bound;
             let known = set.setup.true_known(run, exact, &machine);
             let clean: Vec<f64> = exact.values(&machine).collect();
             let mut row = set.setup.row(run);
@@ -65,7 +65,7 @@ fn the_bound_is_of_second_order() {
     for o in &set.observations {
         let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
         let largest =
-            |length, angle| neglected(&set.setup, o.run, &sweeps, Limits { length, angle }).unwrap().largest();
+            |length, angle| neglected(&set.setup, o.run, &sweeps, ErrorLimits { length, angle }).unwrap().largest();
         assert_eq!(largest(0.0, 0.0), 0.0);
         assert!(relative(largest(0.015, 5e-5) * 4.0, largest(0.03, 1e-4)) < 1e-12);
     }

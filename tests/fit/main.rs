@@ -7,9 +7,9 @@ mod linearisation;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use trunnion::data::{Dimension, Known, Radius, Sweep, Table};
+use trunnion::data::{Known, Quantity, Radius, Sweep, Table};
 use trunnion::study::{
-    Curve, Estimator, Fit, FitError, Limits, Observation, Report, Sample, Setup, Warning, fit, report,
+    Curve, ErrorLimits, EstimateError, Estimator, Fit, Observation, Report, Sample, Setup, Warning, fit, report,
 };
 use trunnion_codegen::catalogue;
 use trunnion_codegen::ids::FunctionId;
@@ -45,7 +45,7 @@ impl Set {
         let mm = truth["radius_mm"].as_f64().unwrap();
         let setup = Setup::new(catalogue::model("tilting-table-a").unwrap().unwrap(), &[("R", mm)]).unwrap();
         let path = |f: &str| file(&format!("reference/tilting-table/{name}/{f}.csv"));
-        let lengths = ["dya", "dza"].map(|name| Known { name: name.into(), dimension: Dimension::Length });
+        let lengths = ["dya", "dza"].map(|name| Known { name: name.into(), quantity: Quantity::Length });
         let table = Table::read(&path("table"), "a", &lengths).unwrap();
         let observe = |name: &str| {
             let sweep = Sweep::read(&path(name), "a", Radius::new(mm).unwrap(), 11).unwrap();
@@ -71,7 +71,7 @@ impl Set {
     }
 
     fn report(&self, estimator: Estimator) -> (Report, Curve) {
-        let report = report(&self.setup, &self.observations, &self.fit(estimator), Limits::PAPER, false).unwrap();
+        let report = report(&self.setup, &self.observations, &self.fit(estimator), ErrorLimits::PAPER, false).unwrap();
         let curve = report.functions[0].clone();
         (report, curve)
     }
@@ -213,14 +213,16 @@ fn what_no_fit_can_use_is_refused() {
     let nan = |o: &mut Vec<Observation>| o[0].samples[3].reading = f64::NAN;
     let huge = |o: &mut Vec<Observation>| o[1].samples[3].reading = 1e300;
     for (estimator, key) in ESTIMATORS {
-        assert!(matches!(refused(&few, estimator), FitError::TooFewSamples { .. }), "{key}");
+        assert!(matches!(refused(&few, estimator), EstimateError::TooFewSamples { .. }), "{key}");
         match refused(&one_angle, estimator) {
-            FitError::Confounded { base, .. } => assert!(base.len() >= 2, "{key}: {base:?}"),
+            EstimateError::Confounded { coefficients, .. } => {
+                assert!(coefficients.len() >= 2, "{key}: {coefficients:?}")
+            }
             other => panic!("{key}: {other:?}"),
         }
-        assert_eq!(refused(&nan, estimator), FitError::NotFinite, "{key}");
-        assert_eq!(refused(&huge, estimator), FitError::NotFinite, "{key}");
+        assert_eq!(refused(&nan, estimator), EstimateError::NotFinite, "{key}");
+        assert_eq!(refused(&huge, estimator), EstimateError::NotFinite, "{key}");
     }
     let only_tilting = |o: &mut Vec<Observation>| o.truncate(1);
-    assert_eq!(refused(&only_tilting, Estimator::TwoStep), FitError::NoFirstStep);
+    assert_eq!(refused(&only_tilting, Estimator::TwoStep), EstimateError::NoFirstStep);
 }

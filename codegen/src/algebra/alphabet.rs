@@ -1,15 +1,7 @@
 //! The symbols of one model and what the normal form knows about them.
 
 use super::{AlgebraError, ErrorId, MAX_NOMINALS, NominalId, SweepId};
-
-/// What an error measures: lengths in mm, angles in rad.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// mm
-    Length,
-    /// rad
-    Angle,
-}
+use crate::quantity::Quantity;
 
 /// The meaning of a nominal symbol.
 #[derive(Clone, Debug, PartialEq, Eq)]

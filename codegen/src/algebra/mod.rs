@@ -15,7 +15,8 @@ mod rational;
 mod symbol;
 mod value;
 
-pub use alphabet::{Alphabet, Nominal, Quantity};
+pub use crate::quantity::Quantity;
+pub use alphabet::{Alphabet, Nominal};
 pub use angle::Angle;
 pub use elimination::{Reduced, Row, reduce, subtract};
 pub use fraction::Fraction;

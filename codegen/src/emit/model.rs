@@ -1,7 +1,7 @@
 //! A derivation as functions to compile or to evaluate: one per run, one per estimated function.
 
 use super::function::{Function, Input, Output};
-use crate::algebra::{Alphabet, Fraction, Nominal, NominalId, Poly, Quantity};
+use crate::algebra::{Alphabet, Fraction, Nominal, NominalId, Poly};
 use crate::basis::Basis;
 use crate::graph::{Graph, Id, Symbol, Unbound};
 use crate::identify::{Coefficient, Derivation};
@@ -134,14 +134,6 @@ fn lengths(model: &Model) -> Vec<Input> {
         _ => None,
     };
     model.alphabet.nominals().filter_map(input).collect()
-}
-
-/// Unit of a quantity inside: `mm` or `rad`.
-pub(super) fn unit(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Length => "mm",
-        Quantity::Angle => "rad",
-    }
 }
 
 /// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`.

@@ -7,8 +7,12 @@ use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
 /// A model of the catalogue, derived.
 pub fn derived(name: &str) -> (Model, Derivation) {
-    let source = catalogue::source(name).unwrap();
-    read_and_derive(source).unwrap_or_else(|p| panic!("{}", render(name, source, &p, Colour::Off)))
+    read(catalogue::source(name).unwrap())
+}
+
+/// A model file, derived.
+pub fn read(source: &str) -> (Model, Derivation) {
+    read_and_derive(source).unwrap_or_else(|p| panic!("{}", render("", source, &p, Colour::Off)))
 }
 
 /// Repeatable values, uniform between `low` and `high`, by a linear congruential generator (Knuth, MMIX).

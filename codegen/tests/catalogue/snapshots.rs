@@ -1,20 +1,51 @@
-//! What every model derives to, as people read it; the files are in the repository's `snapshots/`.
+//! What models derive to, as people and compilers read it; the files are in the repository's `snapshots/`.
 
-use super::numbers::derived;
+use super::numbers::{derived, read};
 use trunnion_codegen::catalogue::MODELS;
-use trunnion_codegen::emit::equations;
+use trunnion_codegen::emit::rust::{self, Support};
+use trunnion_codegen::emit::{c, c99, equations, numpy};
 
-#[test]
-fn equations_of_every_model() {
+fn bind(check: impl FnOnce()) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path("../../../snapshots");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.bind(|| {
+    settings.bind(check);
+}
+
+/// A snapshot whose lines a person can read.
+fn snapshot(name: String, text: &str) {
+    let long = text.lines().find(|line| line.chars().count() > 120);
+    assert_eq!(long, None, "{name}: a line of over 120 characters");
+    insta::assert_snapshot!(name, text);
+}
+
+#[test]
+fn equations_of_every_model() {
+    bind(|| {
         for (name, _) in MODELS {
             let (model, derivation) = derived(name);
-            insta::assert_snapshot!(format!("{name}.text"), equations::text(&model, &derivation));
-            insta::assert_snapshot!(format!("{name}.latex"), equations::latex(&model, &derivation));
+            snapshot(format!("{name}.text"), &equations::text(&model, &derivation));
         }
+    });
+}
+
+/// The paper's model and a small one: between them they use everything that a printer has.
+#[test]
+fn every_form_of_two_models() {
+    bind(|| {
+        for (name, (model, derivation)) in
+            [("tilting-table-a", derived("tilting-table-a")), ("everything", read(include_str!("everything.toml")))]
+        {
+            snapshot(format!("{name}.latex"), &equations::latex(&model, &derivation));
+            let rust = rust::model_source(&model, &derivation, &Support::of_solver());
+            snapshot(format!("{name}.rust"), &rust.unwrap());
+            let c = c99::sources(&model, &derivation, c::Real::Double).unwrap();
+            snapshot(format!("{name}.h"), &c.header);
+            snapshot(format!("{name}.c"), &c.source);
+            snapshot(format!("{name}.numpy"), &numpy::model_source(&model, &derivation).unwrap());
+        }
+        let (model, derivation) = read(include_str!("everything.toml"));
+        snapshot("everything.text".to_owned(), &equations::text(&model, &derivation));
     });
 }

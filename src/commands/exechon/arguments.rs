@@ -1,6 +1,6 @@
 //! Arguments that several of the commands take.
 
-use super::Failed;
+use super::ExechonRefused;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use trunnion::exechon::{Coordinates, read_machine};
@@ -15,9 +15,9 @@ pub struct Which {
 }
 
 impl Which {
-    pub fn read(&self) -> Result<Machine<f64>, Failed> {
+    pub fn read(&self) -> Result<Machine<f64>, ExechonRefused> {
         let name = self.machine.clone().unwrap_or_else(|| "src/exechon/xt700.toml".into());
-        read_machine(self.machine.as_deref()).map_err(|problem| Failed::Machine(name, problem))
+        read_machine(self.machine.as_deref()).map_err(|problem| ExechonRefused::Machine(name, problem))
     }
 }
 

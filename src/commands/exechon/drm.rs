@@ -1,6 +1,6 @@
 //! `trunnion exechon drm`: the dependent rotation of poses, over the workspace, around a ring.
 
-use super::Failed;
+use super::ExechonRefused;
 use super::arguments::{FrameName, TiltedName, Which, degrees, numbers};
 use super::spool::{Spool, picture, print};
 use clap::Args;
@@ -11,7 +11,7 @@ use trunnion::exechon::{Compensation, drm_map, inverse, quintic_picture};
 /// Arguments of `drm`.
 #[derive(Debug, Args)]
 #[command(group = clap::ArgGroup::new("what").required(true).args(["file", "map", "ring"]))]
-pub struct Drm {
+pub struct DrmArguments {
     /// Poses: CSV with the columns x_mm,y_mm,z_mm,i,j,k; `-` reads standard input.
     file: Option<PathBuf>,
     /// Coordinates of points and directions.
@@ -45,9 +45,9 @@ pub struct Drm {
     which: Which,
 }
 
-impl Drm {
+impl DrmArguments {
     /// Computes and shows.
-    pub fn run(self) -> Result<(), Failed> {
+    pub fn run(self) -> Result<(), ExechonRefused> {
         let machine = self.which.read()?;
         if let Some(file) = &self.file {
             let mut spool = Spool::new()?;
@@ -61,7 +61,7 @@ impl Drm {
         }
         if let Some(z) = self.map {
             if !(self.reach > 0.0 && self.reach.is_finite() && z.is_finite()) {
-                return Err(Failed::Option("reach", "expected a positive number of mm"));
+                return Err(ExechonRefused::Option("reach", "expected a positive number of mm"));
             }
             let range = (-self.reach, self.reach);
             return picture(self.svg.as_deref(), || Ok(drm_map(&machine, z, range, range, &[])?));
@@ -71,7 +71,7 @@ impl Drm {
         };
         let radius = (self.diameter - self.stylus) / 2.0;
         if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Failed::Option("stylus", "expected a ball smaller than the ring"));
+            return Err(ExechonRefused::Option("stylus", "expected a ball smaller than the ring"));
         }
         let quintic = Compensation::fit(&machine, centre, radius, self.touches)?;
         picture(self.svg.as_deref(), || Ok(quintic_picture(&machine, &quintic)?))?;

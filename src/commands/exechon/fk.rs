@@ -1,6 +1,6 @@
 //! `trunnion exechon fk`: from struts and axes to poses, one line at a time.
 
-use super::Failed;
+use super::ExechonRefused;
 use super::arguments::{FrameName, TiltedName, Which, degrees};
 use super::spool::{Spool, picture};
 use clap::Args;
@@ -9,7 +9,7 @@ use trunnion::exechon::{forward, machine_picture};
 
 /// Arguments of `fk`.
 #[derive(Debug, Args)]
-pub struct Fk {
+pub struct FkArguments {
     /// Joints: CSV with the columns l1_mm,l2_mm,l3_mm,a_deg,c_deg; `-` reads standard input.
     file: PathBuf,
     /// Coordinates of points and directions.
@@ -25,9 +25,9 @@ pub struct Fk {
     which: Which,
 }
 
-impl Fk {
+impl FkArguments {
     /// Solves and shows.
-    pub fn run(self) -> Result<(), Failed> {
+    pub fn run(self) -> Result<(), ExechonRefused> {
         let machine = self.which.read()?;
         let mut first = None;
         let mut spool = Spool::new()?;

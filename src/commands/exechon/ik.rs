@@ -1,6 +1,6 @@
 //! `trunnion exechon ik`: from poses to struts and axes, one line at a time.
 
-use super::Failed;
+use super::ExechonRefused;
 use super::arguments::{FrameName, TiltedName, Which, degrees};
 use super::spool::{Spool, picture};
 use clap::Args;
@@ -9,7 +9,7 @@ use trunnion::exechon::{inverse, machine_picture};
 
 /// Arguments of `ik`.
 #[derive(Debug, Args)]
-pub struct Ik {
+pub struct IkArguments {
     /// Poses: CSV with the columns x_mm,y_mm,z_mm,i,j,k (tool point, tool direction); `-` reads standard input.
     ///
     /// Lines are read one at a time, in constant memory, and shown once all of them are solved: after a bad line there is
@@ -28,9 +28,9 @@ pub struct Ik {
     which: Which,
 }
 
-impl Ik {
+impl IkArguments {
     /// Solves and shows.
-    pub fn run(self) -> Result<(), Failed> {
+    pub fn run(self) -> Result<(), ExechonRefused> {
         let machine = self.which.read()?;
         let mut first = None;
         let mut spool = Spool::new()?;

@@ -2,16 +2,16 @@
 
 mod arguments;
 mod drm;
-mod failed;
 mod fk;
 mod ik;
 mod offset;
 mod paper;
 mod plan;
+mod refused;
 mod ring;
 mod spool;
 
-pub use failed::Failed;
+pub use refused::ExechonRefused;
 
 use super::Refused;
 use clap::Subcommand;
@@ -20,19 +20,19 @@ use clap::Subcommand;
 #[derive(Debug, Subcommand)]
 pub enum Exechon {
     /// Struts, axes and dependent rotation of tool points and directions.
-    Ik(ik::Ik),
+    Ik(ik::IkArguments),
     /// Tool points and directions of struts and axes.
-    Fk(fk::Fk),
+    Fk(fk::FkArguments),
     /// The dependent rotation: of poses, as a map, or around a ring with its quintic.
-    Drm(drm::Drm),
+    Drm(drm::DrmArguments),
     /// A touch probe's offset from touches in a ring, with and without the dependent rotation.
-    Offset(offset::Offset),
+    Offset(offset::OffsetArguments),
     /// Best-fit circles, roundness and spread of a probed ring.
-    Ring(ring::Ring),
+    Ring(ring::RingArguments),
     /// A measuring plan with the spindle angle of each touch, or an NC program.
-    Plan(plan::Plan),
+    Plan(plan::TouchPlanArguments),
     /// The paper's experiments on the model, beside what it measured.
-    Paper(paper::Paper),
+    Paper(paper::PaperArguments),
 }
 
 impl Exechon {

@@ -1,6 +1,6 @@
 //! `trunnion exechon offset`: a probe's offset from touches in a ring.
 
-use super::Failed;
+use super::ExechonRefused;
 use super::arguments::Which;
 use super::spool::print;
 use clap::Args;
@@ -11,7 +11,7 @@ use trunnion_solver::probe::OffsetFit;
 
 /// Arguments of `offset`.
 #[derive(Debug, Args)]
-pub struct Offset {
+pub struct OffsetArguments {
     /// Touches: CSV with the columns x_mm,y_mm,z_mm,spindle_deg, the spindle axis at each touch in machine coordinates.
     ///
     /// Four directions, and again with the spindle reversed; the spindle may or may not have followed the dependent
@@ -33,18 +33,19 @@ pub struct Offset {
     which: Which,
 }
 
-impl Offset {
+impl OffsetArguments {
     /// Computes and shows.
-    pub fn run(self) -> Result<(), Failed> {
-        let radius = (self.diameter - self.stylus) / 2.0;
-        for (name, value) in [("stylus", radius), ("repeatability", self.repeatability)] {
+    pub fn run(self) -> Result<(), ExechonRefused> {
+        let gauge = Gauge::new(self.diameter, self.stylus, self.repeatability, self.accuracy);
+        for (name, value) in [("stylus", gauge.radius), ("repeatability", gauge.touch)] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Failed::Option(name, "expected a positive number, and a ball smaller than the ring"));
+                return Err(ExechonRefused::Option(
+                    name,
+                    "expected a positive number, and a ball smaller than the ring",
+                ));
             }
         }
         let machine = self.which.read()?;
-        // Of what is given as two sigma, of a diameter, in µm.
-        let gauge = Gauge { radius, touch: self.repeatability / 2e3, ring: self.accuracy / 4e3 };
         let OffsetReport { with_rotation, spindle_alone, reversal } = offset_report(&machine, &self.file, &gauge)?;
         let fit = |fit: &OffsetFit<f64>| {
             json!({

@@ -1,6 +1,6 @@
 //! `trunnion exechon paper`: section 4 on the model, beside what was measured.
 
-use super::Failed;
+use super::ExechonRefused;
 use super::arguments::Which;
 use super::spool::print;
 use clap::Args;
@@ -15,7 +15,7 @@ use trunnion_solver::exechon::Machine;
 
 /// Arguments of `paper`.
 #[derive(Debug, Args)]
-pub struct Paper {
+pub struct PaperArguments {
     /// Writes the pictures (SVG) into this directory.
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
@@ -23,9 +23,9 @@ pub struct Paper {
     which: Which,
 }
 
-impl Paper {
+impl PaperArguments {
     /// Simulates and shows.
-    pub fn run(self) -> Result<(), Failed> {
+    pub fn run(self) -> Result<(), ExechonRefused> {
         let machine = self.which.read()?;
         let all = experiments(&machine)?;
         if let Some(directory) = &self.pictures {
@@ -37,7 +37,7 @@ impl Paper {
     }
 }
 
-fn pictures(machine: &Machine<f64>, all: &Experiments) -> Result<[(&'static str, String); 4], Failed> {
+fn pictures(machine: &Machine<f64>, all: &Experiments) -> Result<[(&'static str, String); 4], ExechonRefused> {
     let [first, second, third] = RING_CENTRES;
     let marks =
         [("ring 1", (first[0], first[1])), ("ring 2", (second[0], second[1])), ("Fig. 9", (third[0], third[1]))];

@@ -1,6 +1,6 @@
 //! `trunnion exechon plan`: where to touch a feature, with which spindle angle.
 
-use super::Failed;
+use super::ExechonRefused;
 use super::arguments::{Which, numbers};
 use super::spool::{Spool, print};
 use clap::{Args, ValueEnum};
@@ -8,7 +8,7 @@ use trunnion::exechon::{Feature, plan, ring_program};
 
 /// Arguments of `plan`.
 #[derive(Debug, Args)]
-pub struct Plan {
+pub struct TouchPlanArguments {
     /// What is measured.
     #[arg(value_enum)]
     feature: FeatureName,
@@ -58,9 +58,9 @@ enum Format {
     Sinumerik,
 }
 
-impl Plan {
+impl TouchPlanArguments {
     /// Plans and shows.
-    pub fn run(self) -> Result<(), Failed> {
+    pub fn run(self) -> Result<(), ExechonRefused> {
         let machine = self.which.read()?;
         let (centre, radius) = (self.centre, self.size / 2.0);
         let touches = self.touches.unwrap_or(if self.feature == FeatureName::Ring { 36 } else { 4 });
@@ -93,7 +93,7 @@ impl Plan {
                 print(&ring_program(&machine, centre, radius, ball, touches, self.repeats, self.clearance)?)
             }
             Format::Sinumerik => {
-                Err(Failed::Option("format", "NC programs are written for rings only: use csv or json"))
+                Err(ExechonRefused::Option("format", "NC programs are written for rings only: use csv or json"))
             }
         }
     }

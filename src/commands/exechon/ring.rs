@@ -1,16 +1,17 @@
 //! `trunnion exechon ring`: what a probed ring shows.
 
-use super::Failed;
+use super::ExechonRefused;
 use super::arguments::{Which, numbers};
 use super::spool::{picture, print};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
+use trunnion::data::Unit;
 use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
 
 /// Arguments of `ring`.
 #[derive(Debug, Args)]
-pub struct Ring {
+pub struct RingArguments {
     /// Touches: CSV with the columns x_mm,y_mm,z_mm and perhaps spindle_deg, the spindle axis in machine coordinates.
     file: PathBuf,
     /// The probe's offset, mm: each touch is moved to the ball's centre, by its spindle angle (0 without the column) and
@@ -33,14 +34,14 @@ pub struct Ring {
     which: Which,
 }
 
-impl Ring {
+impl RingArguments {
     /// Fits and shows.
-    pub fn run(self) -> Result<(), Failed> {
+    pub fn run(self) -> Result<(), ExechonRefused> {
         if !(self.step > 0.0 && self.step <= 360.0) {
-            return Err(Failed::Option("step", "expected an angle in degrees"));
+            return Err(ExechonRefused::Option("step", "expected an angle in degrees"));
         }
         if !(self.stylus >= 0.0 && self.stylus.is_finite()) {
-            return Err(Failed::Option("stylus", "expected a diameter in mm"));
+            return Err(ExechonRefused::Option("stylus", "expected a diameter in mm"));
         }
         let machine = self.which.read()?;
         let report = ring_report_of(&machine, &self.file, self.offset, self.step.to_radians())?;
@@ -49,7 +50,7 @@ impl Ring {
     }
 
     fn document(&self, report: &RingReport) -> String {
-        let (fit, zone) = (&report.fit, &report.zone);
+        let (fit, zone, [inner, outer]) = (&report.fit, &report.zone, report.zone_diameters(self.stylus));
         let places = report.spread.iter().map(|(angle, n, mean, std)| {
             json!({ "angle_deg": angle.to_degrees(), "touches": n, "mean_mm": mean, "std_mm": std })
         });
@@ -58,7 +59,7 @@ impl Ring {
             "least_squares": {
                 "centre_mm": fit.circle.centre,
                 "path_diameter_mm": 2.0 * fit.circle.radius,
-                "diameter_mm": 2.0 * fit.circle.radius + self.stylus,
+                "diameter_mm": report.diameter(self.stylus),
                 "roundness_mm": fit.roundness(),
                 "residual_std_mm": fit.residual_std,
                 "standard_uncertainty_mm": {
@@ -68,8 +69,8 @@ impl Ring {
             },
             "minimum_zone": {
                 "centre_mm": zone.centre,
-                "inner_diameter_mm": 2.0 * zone.inner + self.stylus,
-                "outer_diameter_mm": 2.0 * zone.outer + self.stylus,
+                "inner_diameter_mm": inner,
+                "outer_diameter_mm": outer,
                 "roundness_mm": zone.width(),
             },
             "places": places.collect::<Vec<_>>(),
@@ -82,18 +83,18 @@ impl Ring {
         let (fit, zone) = (&report.fit, &report.zone);
         let [x, y] = fit.circle.centre;
         let repeats = match report.largest_std() {
-            Some(std) => format!("largest standard deviation over repeats {:.2} µm\n", 1e3 * std),
+            Some(std) => format!("largest standard deviation over repeats {:.2} µm\n", Unit::Um.from_inner(std)),
             None => String::new(),
         };
         format!(
             "{} touches\nleast squares: centre ({x:.4}, {y:.4}) mm, diameter {:.4} mm, roundness {:.2} µm\n\
              minimum zone:  centre ({:.4}, {:.4}) mm, roundness {:.2} µm\n{repeats}",
             report.deviations.len(),
-            2.0 * fit.circle.radius + self.stylus,
-            1e3 * fit.roundness(),
+            report.diameter(self.stylus),
+            Unit::Um.from_inner(fit.roundness()),
             zone.centre[0],
             zone.centre[1],
-            1e3 * zone.width(),
+            Unit::Um.from_inner(zone.width()),
         )
     }
 }

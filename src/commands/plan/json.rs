@@ -1,14 +1,13 @@
 //! The plan for a program.
 
-use super::{Found, Line, Outcome, Plan, combined};
+use super::{Found, PlanArguments};
 use serde_json::{Value, json};
-use trunnion::study::plan::Predicted;
-use trunnion::study::unit;
+use trunnion::study::plan::{Compared, Predicted};
 use trunnion_codegen::ids::{BaseId, ParameterId};
 
 /// The same as one object for a program.
-pub fn json(plan: &Plan, found: &Found) -> Value {
-    let Found { model, derivation, lines, described, tried, added } = found;
+pub fn json(plan: &PlanArguments, found: &Found) -> Value {
+    let Found { model, derivation, estimator, compared, described, tried, added } = found;
     let name = |j: &ParameterId| derivation.parameters[*j].name.clone();
     let groups = derivation.groups();
     let groups = groups.iter().zip(described).map(|(g, words)| {
@@ -34,31 +33,31 @@ pub fn json(plan: &Plan, found: &Found) -> Value {
         "model": model.name,
         "samples": plan.measuring.samples,
         "noise_um": plan.measuring.noise_um,
-        "estimator": combined(plan.measuring.estimator),
-        "plans": lines.iter().map(object).collect::<Vec<_>>(),
+        "estimator": estimator.to_string(),
+        "plans": compared.iter().map(object).collect::<Vec<_>>(),
         "runs_tried": tried,
         "confounded": groups.collect::<Vec<_>>(),
         "known_measured_by": known.map(|a| json!({ "model": a.model, "run": a.run, "functions": a.finds })).collect::<Vec<_>>(),
     })
 }
 
-fn object(line: &Line) -> Value {
+fn object(line: &Compared) -> Value {
     let mut value = json!({
         "radius_mm": line.radius,
-        "range_deg": [line.range.0, line.range.1],
+        "range_deg": [line.range_deg.0, line.range_deg.1],
         "without": line.without,
     });
     match &line.outcome {
-        Outcome::Refused(why) => value["refused"] = json!(why),
-        Outcome::Predicted { setup, prediction } => {
+        Err(why) => value["refused"] = json!(why.to_string()),
+        Ok((setup, prediction)) => {
             let name = |b: &BaseId| setup.derivation.base[*b].name.clone();
             let function = |f: &Predicted| {
-                let (unit, scale) = unit(setup.component(f.function));
+                let unit = setup.quantity(f.function).deviation();
                 json!({
                     "name": setup.function_name(f.function),
-                    "unit": unit,
-                    "largest_std": f.largest.map(|l| l.std * scale),
-                    "largest_u95": f.largest.map(|l| l.u95 * scale),
+                    "unit": unit.suffix(),
+                    "largest_std": f.largest.map(|l| unit.from_inner(l.std)),
+                    "largest_u95": f.largest.map(|l| unit.from_inner(l.u95)),
                     "seen_together": f.together.iter().map(name).collect::<Vec<_>>(),
                 })
             };

@@ -3,23 +3,22 @@
 mod json;
 mod text;
 
-use super::fit::Combine;
-use super::model::{has_bar, lengths, load, source};
+use super::model::{load, others, source};
 use super::predicted::{self, Measuring};
-use super::{Refused, estimate, print};
+use super::{Refused, print};
 use clap::Args;
 use trunnion::data::Radius;
-use trunnion::study::plan::{Addition, Prediction, additions, predict, subset};
-use trunnion::study::{FitError, Setup};
+use trunnion::study::plan::{Addition, Compared, Comparison, additions, compare};
+use trunnion::study::{Estimator, SetupError};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
-use trunnion_codegen::identify::{Derivation, derive};
-use trunnion_codegen::ids::{BaseId, RunId};
+use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::model::{Model, read_draft};
+use trunnion_codegen::problems::derivation;
 
 /// Arguments of `plan`.
 #[derive(Debug, Args)]
-pub struct Plan {
+pub struct PlanArguments {
     /// A name from the catalogue, or a model file.
     model: String,
     /// Nominal lengths of the ball-bar to compare, mm; 100, 150 and 300 if none is given.
@@ -45,7 +44,8 @@ pub struct Plan {
 struct Found<'a> {
     model: &'a Model,
     derivation: &'a Derivation,
-    lines: Vec<Line>,
+    estimator: Estimator,
+    compared: Vec<Compared>,
     /// The confounded groups in words.
     described: Vec<String>,
     /// Runs of the catalogue that fit the machine.
@@ -53,111 +53,62 @@ struct Found<'a> {
     added: Vec<Addition>,
 }
 
-/// One line of the comparison.
-struct Line {
-    radius: Option<f64>,
-    range: (f64, f64),
-    without: Vec<String>,
-    outcome: Outcome,
-}
-
-/// What a subset of runs over a range gives.
-enum Outcome {
-    Predicted { setup: Box<Setup>, prediction: Prediction },
-    Refused(String),
-}
-
 const RADII: [f64; 3] = [100.0, 150.0, 300.0];
 const RANGES: [(f64, f64); 3] = [(0.0, 360.0), (-20.0, 200.0), (-90.0, 90.0)];
 
-impl Plan {
+impl PlanArguments {
     /// Compares, prints.
     pub fn run(self) -> Result<(), Refused> {
         let model = load(&self.model)?;
         let (_, text_of_model) = source(&self.model)?;
-        let derivation = derive(&model).map_err(|e| Refused::derive(&model, &e))?;
-        let lines = self.compare(&model)?;
+        let derivation = derivation(&model).map_err(SetupError::Description)?;
+        let comparison = self.comparison(&model)?;
+        let compared = compare(&model, &comparison)?;
         // The model has just been read, so its draft can be.
         let draft = read_draft(&text_of_model).unwrap_or_default();
         let (tried, added) = additions(&draft, &model, &derivation, catalogue::MODELS);
         let described: Vec<String> =
             derivation.groups().iter().map(|g| equations::group(&model, &derivation, g)).collect();
-        let found = Found { model: &model, derivation: &derivation, lines, described, tried, added };
+        let (model, derivation, estimator) = (&model, &derivation, comparison.estimator);
+        let found = Found { model, derivation, estimator, compared, described, tried, added };
         print(&match self.json {
             true => format!("{:#}\n", json::json(&self, &found)),
             false => text::text(&self, &found),
         })
     }
 
-    /// Every combination asked for.
-    fn compare(&self, model: &Model) -> Result<Vec<Line>, Refused> {
+    /// What is asked for.
+    fn comparison(&self, model: &Model) -> Result<Comparison, Refused> {
+        let given =
+            |given: &[f64]| given.iter().map(|&mm| Ok(Radius::new(mm)?.mm())).collect::<Result<Vec<_>, Refused>>();
+        Ok(Comparison {
+            radii: if self.radius.is_empty() { RADII.to_vec() } else { given(&self.radius)? },
+            lengths: others(model, &self.lengths)?,
+            ranges_deg: if self.range_deg.is_empty() { RANGES.to_vec() } else { self.range_deg.clone() },
+            without: self.without(model)?,
+            samples: self.measuring.samples as usize,
+            sigma: self.measuring.sigma()?,
+            estimator: self.measuring.estimator.into(),
+        })
+    }
+
+    /// All runs, and then those left out: each in turn if none is named.
+    fn without(&self, model: &Model) -> Result<Vec<Vec<String>>, Refused> {
         let names: Vec<&str> = model.runs.iter().map(|r| r.name.as_str()).collect();
-        let given = |text: &String| {
-            let one = |name: &str| match names.contains(&name.trim()) {
-                true => Ok(name.trim().to_owned()),
-                false => Err(Refused::UnknownRun(name.to_owned(), names.join(", "))),
-            };
-            text.split(',').map(one).collect::<Result<Vec<String>, Refused>>()
+        let one = |name: &str| match names.contains(&name.trim()) {
+            true => Ok(name.trim().to_owned()),
+            false => Err(Refused::UnknownRun(name.to_owned(), names.join(", "))),
         };
-        let mut omitted = vec![Vec::new()];
+        let mut without = vec![Vec::new()];
         match self.without.is_empty() {
-            true if names.len() > 1 => omitted.extend(names.iter().map(|n| vec![(*n).to_owned()])),
+            true if names.len() > 1 => without.extend(names.iter().map(|name| vec![(*name).to_owned()])),
             true => {}
-            false => omitted.extend(self.without.iter().map(given).collect::<Result<Vec<_>, _>>()?),
-        }
-        let radii: Vec<f64> = match (has_bar(model), self.radius.is_empty()) {
-            (true, true) => RADII.to_vec(),
-            (true, false) => self.radius.clone(),
-            // Without a bar the radius means nothing; one line says it all.
-            (false, _) => vec![RADII[0]],
-        };
-        let ranges = if self.range_deg.is_empty() { RANGES.to_vec() } else { self.range_deg.clone() };
-        let mut lines = Vec::new();
-        for &mm in &radii {
-            let values = lengths(model, Radius::new(mm)?, &self.lengths)?;
-            for without in &omitted {
-                let kept = model.runs.iter_enumerated().filter(|(_, run)| without.iter().all(|w| *w != run.name));
-                let kept: Vec<RunId> = kept.map(|(id, _)| id).collect();
-                let setup = self.setup(model, &kept, &values)?;
-                for &range in &ranges {
-                    let outcome = match &setup {
-                        Ok(setup) => self.outcome(setup, range)?,
-                        Err(why) => Outcome::Refused(why.clone()),
-                    };
-                    lines.push(Line { radius: has_bar(model).then_some(mm), range, without: without.clone(), outcome });
+            false => {
+                for together in &self.without {
+                    without.push(together.split(',').map(one).collect::<Result<_, _>>()?);
                 }
             }
         }
-        Ok(lines)
+        Ok(without)
     }
-
-    /// The model with some of its runs; why not, if these have no measurement model.
-    fn setup(&self, model: &Model, kept: &[RunId], values: &[(String, f64)]) -> Result<Result<Setup, String>, Refused> {
-        if kept.is_empty() {
-            return Ok(Err("no run is left".to_owned()));
-        }
-        let part = match subset(model, kept) {
-            Ok(part) => part,
-            Err(e) => return Ok(Err(Refused::derive(model, &e).to_string())),
-        };
-        let values: Vec<(&str, f64)> = values.iter().map(|(n, mm)| (n.as_str(), *mm)).collect();
-        Setup::new(part.clone(), &values).map(Ok).map_err(|e| Refused::setup(&part, &e))
-    }
-
-    fn outcome(&self, setup: &Setup, range: (f64, f64)) -> Result<Outcome, Refused> {
-        let names = |base: &[BaseId]| -> String {
-            let names: Vec<&str> = base.iter().map(|&b| setup.derivation.base[b].name.as_str()).collect();
-            names.join(", ")
-        };
-        let name = |run: RunId| setup.model.runs[run].name.clone();
-        Ok(match predict(setup, self.measuring.over(range)?, self.measuring.estimator.into()) {
-            Ok(prediction) => Outcome::Predicted { setup: Box::new(setup.clone()), prediction },
-            Err(FitError::Confounded { base, .. }) => Outcome::Refused(format!("cannot tell {} apart", names(&base))),
-            Err(e) => Outcome::Refused(Refused::fit(setup, &name, &e).to_string().replace("\n ", ";")),
-        })
-    }
-}
-
-fn combined(c: Combine) -> &'static str {
-    estimate::name(c.into())
 }

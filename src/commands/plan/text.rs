@@ -1,40 +1,37 @@
 //! The plan for reading at a terminal.
 
-use super::{Found, Line, Outcome, Plan, combined};
+use super::{Found, PlanArguments};
 use crate::commands::predicted;
 use std::fmt::Write;
 use trunnion::study::WARN_CONDITION;
-use trunnion::study::plan::Addition;
+use trunnion::study::plan::{Addition, Compared};
 use trunnion_codegen::emit::equations;
 use trunnion_codegen::ids::BaseId;
 
 /// The comparison and what cannot be told apart, for reading at a terminal.
-pub fn text(plan: &Plan, found: &Found) -> String {
-    let Found { model, derivation, lines, described, tried, added } = found;
+pub fn text(plan: &PlanArguments, found: &Found) -> String {
+    let Found { model, derivation, estimator, compared, described, tried, added } = found;
     let mut out = format!(
         "{}: {} samples a run, noise ±{} µm, {} estimate\n",
-        model.name,
-        plan.measuring.samples,
-        plan.measuring.noise_um,
-        combined(plan.measuring.estimator)
+        model.name, plan.measuring.samples, plan.measuring.noise_um, estimator
     );
     let _ = writeln!(
         out,
         "  {:>5} {:>10}  {:>4} {:>10}  runs; largest uncertainty of each function",
         "R", "range", "rank", "condition"
     );
-    for line in lines {
+    for line in compared {
         let radius = line.radius.map_or(String::from("-"), |mm| mm.to_string());
-        let range = format!("{}…{}°", line.range.0, line.range.1);
+        let range = format!("{}…{}°", line.range_deg.0, line.range_deg.1);
         let runs = match line.without.is_empty() {
             true => "all".to_owned(),
             false => format!("without {}", line.without.join(", ")),
         };
         match &line.outcome {
-            Outcome::Refused(why) => {
+            Err(why) => {
                 let _ = writeln!(out, "  {radius:>5} {range:>10}  {:>4} {:>10}  {runs}; {why}", "-", "-");
             }
-            Outcome::Predicted { setup, prediction } => {
+            Ok((setup, prediction)) => {
                 let hardly = if prediction.condition > WARN_CONDITION { "!" } else { " " };
                 let _ = write!(
                     out,
@@ -55,7 +52,7 @@ pub fn text(plan: &Plan, found: &Found) -> String {
         "  ! condition above {WARN_CONDITION}: hardly told apart\n  * its coefficients are seen only together with other errors"
     );
     let asked = !plan.without.is_empty();
-    out += &together(lines.iter().filter(|l| asked || l.without.is_empty()));
+    out += &together(compared.iter().filter(|l| asked || l.without.is_empty()));
     let _ = writeln!(
         out,
         "\nWhat all runs together cannot tell apart, and what each of the {tried} runs of the catalogue that fit this machine would separate"
@@ -100,11 +97,11 @@ fn kept(a: &Addition) -> &'static str {
 }
 
 /// For each subset of runs, what its functions' coefficients stand for.
-fn together<'a>(lines: impl Iterator<Item = &'a Line>) -> String {
+fn together<'a>(lines: impl Iterator<Item = &'a Compared>) -> String {
     let mut out = String::new();
     let mut said: Vec<&Vec<String>> = Vec::new();
     for line in lines {
-        let Outcome::Predicted { setup, prediction } = &line.outcome else { continue };
+        let Ok((setup, prediction)) = &line.outcome else { continue };
         let held: Vec<BaseId> = prediction.functions.iter().flat_map(|f| f.together.iter().copied()).collect();
         if held.is_empty() || said.contains(&&line.without) {
             continue;

@@ -4,8 +4,8 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::words::{List, Names};
-use crate::data::unit::Unit;
+use super::words::{List, UnitNames};
+use trunnion_codegen::quantity::Unit;
 
 /// One thing wrong with a header.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -18,7 +18,7 @@ pub enum HeaderProblem {
         columns: Vec<String>,
     },
     /// A column that has to be there is not.
-    #[error("missing column {}\n  found {}", Names(.name, .units), List(.found))]
+    #[error("missing column {}\n  found {}", UnitNames(.name, .units), List(.found))]
     Missing {
         /// Its name without a unit.
         name: String,
@@ -36,7 +36,7 @@ pub enum HeaderProblem {
         columns: Vec<String>,
     },
     /// A name without its unit.
-    #[error("column {name:?} has no unit\n  expected {}", Names(.name, .units))]
+    #[error("column {name:?} has no unit\n  expected {}", UnitNames(.name, .units))]
     NoUnit {
         /// The column as it stands.
         name: String,
@@ -44,7 +44,7 @@ pub enum HeaderProblem {
         units: &'static [Unit],
     },
     /// A name with a unit it cannot have.
-    #[error("column {column:?} has a unit that does not fit\n  expected {}", Names(.name, .units))]
+    #[error("column {column:?} has a unit that does not fit\n  expected {}", UnitNames(.name, .units))]
     WrongUnit {
         /// The column as it stands.
         column: String,

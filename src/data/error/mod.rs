@@ -109,13 +109,14 @@ pub enum FileProblem {
     },
     /// Deviations larger than the bar can measure.
     #[error(
-        "readings of {median_mm:.3} mm (median) are beyond the stroke of a ball-bar, about ±1 mm\n  expected radial deviations: is the unit in {column} right? If they are absolute lengths, subtract the bar's (which is then not the radius given, {radius_mm} mm)"
+        "readings of {median_mm:.3} mm (median) are beyond the stroke of a ball-bar, about ±1 mm\n  expected radial deviations: is the unit in {column} right?{}",
+        .radius_mm.map_or_else(String::new, |mm| format!(" If they are absolute lengths, subtract the bar's (which is then not the radius given, {mm} mm)"))
     )]
     BeyondStroke {
         /// Median of the absolute readings, mm.
         median_mm: f64,
-        /// The radius given, mm.
-        radius_mm: f64,
+        /// The radius given, mm; none of displacements.
+        radius_mm: Option<f64>,
         /// The readings' column.
         column: String,
     },

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::data::unit::Unit;
+use trunnion_codegen::quantity::Unit;
 
 /// An angle in rad, shown in degrees without the last digits of the conversion and without a sign at zero.
 pub(super) struct Degrees(pub(super) f64);
@@ -13,7 +13,7 @@ impl fmt::Display for Degrees {
     }
 }
 
-/// Names with commas between them.
+/// UnitNames with commas between them.
 pub(super) struct List<'a>(pub(super) &'a [String]);
 
 impl fmt::Display for List<'_> {
@@ -23,9 +23,9 @@ impl fmt::Display for List<'_> {
 }
 
 /// A name in each of its units; alone where it has none.
-pub(super) struct Names<'a>(pub(super) &'a str, pub(super) &'a [Unit]);
+pub(super) struct UnitNames<'a>(pub(super) &'a str, pub(super) &'a [Unit]);
 
-impl fmt::Display for Names<'_> {
+impl fmt::Display for UnitNames<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.1.is_empty() {
             return f.write_str(self.0);

@@ -2,9 +2,11 @@
 //! another model would separate what these runs confound.
 
 mod added;
+mod comparison;
 mod prediction;
 mod subset;
 
 pub use added::{Addition, additions};
-pub use prediction::{Intended, Largest, Predicted, Prediction, predict};
+pub use comparison::{Compared, Comparison, Refusal, compare};
+pub use prediction::{Intended, Largest, Predicted, Prediction, predict, uniform_std};
 pub use subset::subset;

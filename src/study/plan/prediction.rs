@@ -3,7 +3,7 @@
 //! The covariance of a least-squares estimate depends on where the samples are and on the noise, not on the readings: it is
 //! that of a fit of readings of zero with a known standard deviation.
 
-use crate::study::{Estimator, FitError, Observation, Setup, Variance, fit_with, grid};
+use crate::study::{EstimateError, Estimator, Observation, Setup, Variance, fit_with, grid};
 use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_solver::lstsq::student_t_95;
 
@@ -16,6 +16,11 @@ pub struct Intended {
     pub range: (f64, f64),
     /// Standard deviation of a reading, mm: u/√3 for uniform noise ±u.
     pub sigma: f64,
+}
+
+/// Standard deviation of noise that is uniform within ± `width`.
+pub fn uniform_std(width: f64) -> f64 {
+    width / 3f64.sqrt()
 }
 
 /// What they would give.
@@ -59,8 +64,8 @@ const POINTS: usize = 361;
 /// Predicts what all runs of a model would give.
 ///
 /// # Errors
-/// [`FitError`] where such samples do not determine the base parameters.
-pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, FitError> {
+/// [`EstimateError`] where such samples do not determine the base parameters.
+pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, EstimateError> {
     let sweeps = grid(intended.samples, intended.range);
     let zero = |run| Observation::zero(setup, run, &sweeps);
     let observations: Vec<Observation> = setup.model.runs.keys().map(zero).collect();

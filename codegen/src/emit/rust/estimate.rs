@@ -6,7 +6,6 @@ use quote::quote;
 use super::function::docs;
 use super::model::{Estimated, Printed};
 use super::{LOCAL, blank, ident};
-use crate::emit::model::unit;
 use crate::emit::names::Scope;
 
 pub(super) fn estimate(printed: &Printed) -> TokenStream {
@@ -40,7 +39,7 @@ fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Optio
     let (function, model) = (&estimated.function, printed.model);
     let places = function.coefficients.as_ref()?.iter().map(|b| Literal::usize_unsuffixed((*b).into()));
     let error = model.functions[function.function].error;
-    let (name, unit) = (model.alphabet.error_name(error), unit(model.alphabet.error_quantity(error)));
+    let (name, unit) = (model.alphabet.error_name(error), model.alphabet.error_quantity(error).inner().suffix());
     let called = ident(&methods.claim(&function.basis.name));
     let basis = printed.path(&estimated.name);
     let lengths = printed.own_lengths();

@@ -6,7 +6,6 @@ use quote::quote;
 use super::function::docs;
 use super::model::{Printed, Row};
 use super::{LOCAL, blank, ident};
-use crate::emit::model::unit;
 use crate::emit::names::Scope;
 use crate::identify::DerivedRun;
 
@@ -123,7 +122,7 @@ pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenS
         .known
         .iter()
         .map(|(f, _)| model.functions[*f].error)
-        .map(|e| (scope.claim(model.alphabet.error_name(e)), unit(model.alphabet.error_quantity(e))))
+        .map(|e| (scope.claim(model.alphabet.error_name(e)), model.alphabet.error_quantity(e).inner().suffix()))
         .collect();
     let told: Vec<String> = known.iter().map(|(name, unit)| format!("`{name}` ({unit})")).collect();
     let also = if told.is_empty() { String::new() } else { format!(" and the known {} there", told.join(", ")) };

@@ -1,8 +1,7 @@
-//! A machine of one's own by macro: a fit finds what its readings were made from.
+//! A machine of one's own by macro: a fit finds the function that its readings were made from.
 
 use std::error::Error;
-use trunnion_solver::lstsq::Factor;
-use trunnion_solver::{Machine, nalgebra::SVector};
+use trunnion_solver::Machine;
 
 /// A rotary table and the bar that is held against it.
 #[derive(Machine)]
@@ -22,23 +21,16 @@ pub struct Table {
     pub c: f64,
 }
 
-const COLUMNS: usize = Table::NAMES.len();
-
 fn main() -> Result<(), Box<dyn Error>> {
-    let truth = SVector::<f64, COLUMNS>::from_fn(|i, _| 1e-6 * (i + 1) as f64);
-    let mut fit = Factor::<f64, COLUMNS>::new();
+    let truth = |c: f64| 1e-6 * Table::exc(150.0, c).iter().sum::<f64>();
+    let mut fit = Table::fit(TableLengths { r: 150.0 })?;
     for i in 0..90 {
         let c = (4.0 * f64::from(i)).to_radians();
-        let mut row = SVector::<f64, COLUMNS>::zeros();
-        for (at, regressor) in Table::ALONG_X.into_iter().zip(Table::along_x(150.0, c)) {
-            row[at] = regressor;
-        }
-        fit.push(&row, row.dot(&truth))?;
+        // The bar shortens where the table's centre comes nearer; w_x turns along.
+        fit.push_along_x(c, -truth(c) - 0.01 * c.cos())?;
     }
-    let found = fit.solve()?.coefficients;
-    for ((name, found), truth) in Table::NAMES.iter().zip(&found).zip(&truth) {
-        println!("{name} = {found:.3e}");
-        assert!((found - truth).abs() < 1e-12, "{name} is {truth:.3e}");
-    }
+    let (exc, std) = fit.solve()?.exc(0.5)?;
+    println!("EXC(0.5) = {exc:.3e} mm, standard deviation {std:.0e}");
+    assert!((exc - truth(0.5)).abs() < 1e-12, "EXC(0.5) is {:e}", truth(0.5));
     Ok(())
 }

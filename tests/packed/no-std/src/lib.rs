@@ -1,8 +1,9 @@
 //! A machine of one's own in a library without the standard library: the state of a fit in memory of the caller's.
 #![no_std]
 
-use trunnion_solver::lstsq::{Factor, Rejected, SolveError};
-use trunnion_solver::{Machine, nalgebra::SVector};
+use trunnion_solver::Machine;
+use trunnion_solver::lstsq::Rejected;
+use trunnion_solver::model::ImpossibleLength;
 
 /// A rotary table and the bar that is held against it.
 #[derive(Machine)]
@@ -22,32 +23,29 @@ pub struct Table {
     pub c: f32,
 }
 
-const COLUMNS: usize = Table::NAMES.len();
-
 /// What is known after some samples.
-pub type Fit = Factor<f32, COLUMNS>;
+pub type Fit = TableJoint<f32>;
+
+/// No samples yet, of a bar of 150 mm.
+///
+/// # Errors
+/// None for this bar.
+pub fn start() -> Result<Fit, ImpossibleLength> {
+    Table::fit(TableLengths { r: 150.0 })
+}
 
 /// Takes a reading, mm, at an angle, rad.
 ///
 /// # Errors
 /// A number is not finite.
 pub fn push(fit: &mut Fit, c: f32, reading: f32) -> Result<(), Rejected> {
-    let mut row = SVector::<f32, COLUMNS>::zeros();
-    for (at, regressor) in Table::ALONG_X.into_iter().zip(Table::along_x(150.0, c)) {
-        if let Some(place) = row.get_mut(at) {
-            *place = regressor;
-        }
-    }
-    fit.push(&row, reading)
+    fit.push_along_x(c, reading)
 }
 
-/// EXC at an angle, rad: mm.
-///
-/// # Errors
-/// The samples do not determine it.
-pub fn exc(fit: &Fit, c: f32) -> Result<f32, SolveError<COLUMNS>> {
-    let solution = fit.solve()?;
-    Ok(Table::exc(150.0, c).iter().zip(&solution.coefficients).map(|(basis, factor)| basis * factor).sum())
+/// EXC at an angle, rad: mm; `None` if the samples do not determine it.
+pub fn exc(fit: &Fit, c: f32) -> Option<f32> {
+    let (value, _) = fit.solve().ok()?.exc(c).ok()?;
+    Some(value)
 }
 
 /// Stops.
@@ -64,7 +62,7 @@ mod tests {
     #[test]
     fn a_fit_finds_the_function() {
         let function = |c: f32| 1e-6 * Table::exc(150.0, c)[1];
-        let mut fit = Fit::new();
+        let mut fit = start().unwrap();
         for i in 0..90_u8 {
             let c = (4.0 * f32::from(i)).to_radians();
             push(&mut fit, c, -function(c) + 0.001 * c.cos()).unwrap();

@@ -10,7 +10,7 @@ use trunnion::plot::PlotError;
 
 /// Why a command was refused.
 #[derive(Debug, Error)]
-pub enum Failed {
+pub enum ExechonRefused {
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Machine(PathBuf, MachineFileError),
     #[error(transparent)]
@@ -35,7 +35,7 @@ pub enum Failed {
     Option(&'static str, &'static str),
 }
 
-impl From<std::io::Error> for Failed {
+impl From<std::io::Error> for ExechonRefused {
     fn from(e: std::io::Error) -> Self {
         Self::Output(e.kind())
     }

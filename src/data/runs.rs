@@ -1,0 +1,194 @@
+//! From the files of a measurement to what is fitted.
+
+use super::error::FileError;
+use super::sweep::{RunColumns, Sweep};
+use super::table::{Known, Table};
+use crate::study::{Observation, Sample, Setup};
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+use trunnion_codegen::algebra::Poly;
+use trunnion_codegen::basis::Coordinate;
+use trunnion_codegen::emit::model::known_name;
+use trunnion_codegen::ids::{FunctionId, RunId};
+use typed_index_collections::{TiVec, ti_vec};
+
+/// The readings' column of a run with a file of its own, without the unit.
+const READING: &str = "dr";
+/// The readings' columns of a file with all three displacements.
+const CHANNELS: [&str; 3] = ["dx", "dy", "dz"];
+/// How the runs of three displacements end.
+const ENDINGS: [&str; 3] = ["-x", "-y", "-z"];
+
+/// Why files are no measurement of a model.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ObservationsError {
+    /// A file cannot be used.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// The model has no such run.
+    #[error("the model has no run `{run}`\n  expected {}", .runs.join(", "))]
+    UnknownRun {
+        /// The name given.
+        run: String,
+        /// The runs of the model.
+        runs: Vec<String>,
+    },
+    /// A run has two files.
+    #[error("run `{0}` is given twice\n  expected each run of the model once")]
+    RunTwice(String),
+    /// A run has no file.
+    #[error("run `{0}` is not given\n  expected a file for every run of the model")]
+    RunMissing(String),
+    /// A known function is one of a coordinate that the files do not have.
+    #[error(
+        "function {function} depends on axis {axis}, which is not the swept angle; tables over other coordinates are not read yet"
+    )]
+    TableCoordinate {
+        /// Its name in a table.
+        function: String,
+        /// The axis' name.
+        axis: String,
+    },
+}
+
+impl ObservationsError {
+    pub(crate) fn unknown_run(setup: &Setup, run: &str) -> Self {
+        let runs = setup.model.runs.iter().map(|run| run.name.clone()).collect();
+        Self::UnknownRun { run: run.to_owned(), runs }
+    }
+}
+
+/// The file of every run of a model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RunFiles(TiVec<RunId, Source>);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Source {
+    file: PathBuf,
+    /// The column of its readings without the unit.
+    column: &'static str,
+}
+
+impl RunFiles {
+    /// Files by the names of their runs, each run once. Three displacements may be in one file with the columns `dx`, `dy`,
+    /// `dz`: `low` for the runs `low-x`, `low-y`, `low-z`.
+    ///
+    /// # Errors
+    /// [`ObservationsError`] for a run that is unknown, missing, or there twice.
+    pub fn new<P: AsRef<Path>>(setup: &Setup, given: &[(&str, P)]) -> Result<Self, ObservationsError> {
+        let mut files: TiVec<RunId, Option<Source>> = ti_vec![None; setup.model.runs.len()];
+        let name = |run: RunId| setup.model.runs[run].name.clone();
+        for (run, file) in given {
+            let channels: Vec<RunId> = ENDINGS.iter().filter_map(|end| setup.run(&format!("{run}{end}"))).collect();
+            let runs = match setup.run(run) {
+                Some(run) => vec![(run, READING)],
+                None if channels.len() == CHANNELS.len() => channels.into_iter().zip(CHANNELS).collect(),
+                None => return Err(ObservationsError::unknown_run(setup, run)),
+            };
+            for (run, column) in runs {
+                if files[run].replace(Source { file: file.as_ref().to_owned(), column }).is_some() {
+                    return Err(ObservationsError::RunTwice(name(run)));
+                }
+            }
+        }
+        let present =
+            |(run, file): (RunId, Option<Source>)| file.ok_or_else(|| ObservationsError::RunMissing(name(run)));
+        Ok(Self(files.into_iter_enumerated().map(present).collect::<Result<_, _>>()?))
+    }
+
+    /// The file of a run.
+    pub fn file(&self, run: RunId) -> &Path {
+        &self.0[run].file
+    }
+
+    /// Reads every run, each with weight 1; the known functions are those of the table, or zero without one.
+    ///
+    /// # Errors
+    /// [`ObservationsError`] for a file that cannot be used, or a known function that no table can give.
+    pub fn read(&self, setup: &Setup, table: Option<&Path>) -> Result<Vec<Observation>, ObservationsError> {
+        let table = table.map(|file| KnownTable::read(setup, file)).transpose()?;
+        self.0.iter_enumerated().map(|(run, source)| observation(setup, run, source, table.as_ref())).collect()
+    }
+}
+
+/// Reads the runs of a model, each with weight 1, from files by their runs' names; the known functions are those of the
+/// table, or zero without one.
+///
+/// # Errors
+/// [`ObservationsError`]
+pub fn observations<P: AsRef<Path>>(
+    setup: &Setup,
+    files: &[(&str, P)],
+    table: Option<&Path>,
+) -> Result<Vec<Observation>, ObservationsError> {
+    RunFiles::new(setup, files)?.read(setup, table)
+}
+
+fn observation(
+    setup: &Setup,
+    run: RunId,
+    source: &Source,
+    table: Option<&KnownTable>,
+) -> Result<Observation, ObservationsError> {
+    let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
+    let others: Vec<&str> = match source.column {
+        READING => Vec::new(),
+        own => CHANNELS.into_iter().filter(|column| *column != own).collect(),
+    };
+    let expected = RunColumns {
+        angle: setup.model.alphabet.sweep_name(described.sweep),
+        reading: source.column,
+        others: &others,
+        bar_mm: setup.bar(run),
+        least: derived.regressors.len() + 1,
+    };
+    let sweep = Sweep::read_as(&source.file, &expected)?;
+    let known = match table.filter(|_| !derived.known.is_empty()) {
+        Some(table) => table.at_samples(&sweep, derived.known.iter().map(|(function, _)| *function))?,
+        None => vec![vec![0.0; derived.known.len()]; sweep.samples().len()],
+    };
+    let samples = sweep.samples().iter().zip(known);
+    let samples = samples.map(|(s, known)| Sample { sweep: s.angle_rad, reading: s.reading_mm, known }).collect();
+    Ok(Observation { run, weight: 1.0, samples })
+}
+
+/// The table of all known functions that the runs see.
+struct KnownTable {
+    table: Table,
+    functions: Vec<FunctionId>,
+}
+
+impl KnownTable {
+    fn read(setup: &Setup, file: &Path) -> Result<Self, ObservationsError> {
+        let mut functions: Vec<FunctionId> =
+            setup.derivation.runs.iter().flat_map(|r| r.known.iter().map(|(f, _)| *f)).collect();
+        functions.sort_unstable();
+        functions.dedup();
+        let mut angle = "a";
+        for (run, &f) in setup.model.runs.iter().flat_map(|r| functions.iter().map(move |f| (r, f))) {
+            angle = setup.model.alphabet.sweep_name(run.sweep);
+            let Some((axis, _)) = setup.model.axis_of(setup.model.functions[f].error) else { continue };
+            let own = setup.model.alphabet.sweep_symbols(run.sweep)[0];
+            let is_sweep = |c: &Coordinate| c.poly().is_none_or(|p| *p == Poly::nominal(own));
+            if !is_sweep(&run.at[axis]) {
+                let axis = setup.model.axis(axis).map_or_else(String::new, |axis| axis.name.clone());
+                return Err(ObservationsError::TableCoordinate { function: known_name(&setup.model, f), axis });
+            }
+        }
+        let known = |&f: &FunctionId| Known { name: known_name(&setup.model, f), quantity: setup.quantity(f) };
+        let table = Table::read(file, angle, &functions.iter().map(known).collect::<Vec<_>>())?;
+        Ok(Self { table, functions })
+    }
+
+    /// At each sample of a run the values of these functions, mm or rad.
+    fn at_samples(
+        &self,
+        sweep: &Sweep,
+        functions: impl Iterator<Item = FunctionId>,
+    ) -> Result<Vec<Vec<f64>>, FileError> {
+        let places: Vec<usize> = functions.filter_map(|f| self.functions.iter().position(|own| *own == f)).collect();
+        let all = self.table.at_samples(sweep)?.values;
+        Ok(all.into_iter().map(|values| places.iter().map(|&at| values[at]).collect()).collect())
+    }
+}

@@ -1,0 +1,106 @@
+//! An estimate, or why there is none in the names that a person knows: inside, runs and coefficients are positions.
+
+use super::fit::{self as solved, Estimator, Fit, FitError, Observation, Variance};
+use super::least_squares::LARGEST;
+use super::setup::Setup;
+use core::fmt;
+use thiserror::Error;
+use trunnion_codegen::ids::{BaseId, RunId};
+
+/// Why there is no estimate; runs and coefficients by name.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EstimateError {
+    /// Too few samples for the coefficients.
+    #[error("{}: {samples} samples where at least {needed} are needed\n  measure at more angles", .runs.join(", "))]
+    TooFewSamples {
+        /// The runs fitted together.
+        runs: Vec<String>,
+        /// Samples there are.
+        samples: usize,
+        /// Samples needed.
+        needed: usize,
+    },
+    /// The samples do not tell coefficients apart.
+    #[error(
+        "{}: these samples cannot tell {} apart\n  measure at more angles over a longer arc, or leave terms out of the bases under [function]",
+        .runs.join(", "),
+        .coefficients.join(", ")
+    )]
+    Confounded {
+        /// The runs fitted together.
+        runs: Vec<String>,
+        /// The coefficients concerned.
+        coefficients: Vec<String>,
+    },
+    /// A sample, or a result, is not finite.
+    #[error("a value is too large for the arithmetic\n  check the readings, the table and their units")]
+    NotFinite,
+    /// No run is without an estimated function, so there is no first step.
+    #[error("two-step needs a run that does not see an estimated function\n  use the joint estimator")]
+    NoFirstStep,
+    /// More coefficients than the solver is built for.
+    #[error(
+        "{0} coefficients where at most {LARGEST} can be fitted together\n  use the two-step estimator or simpler functions"
+    )]
+    TooManyCoefficients(usize),
+}
+
+impl EstimateError {
+    pub(super) fn named(setup: &Setup, error: FitError) -> Self {
+        let runs = |runs: Vec<RunId>| runs.into_iter().map(|run| setup.model.runs[run].name.clone()).collect();
+        let coefficients =
+            |base: Vec<BaseId>| base.into_iter().map(|b| setup.derivation.base[b].name.clone()).collect();
+        match error {
+            FitError::TooFewSamples { runs: of, samples, needed } => {
+                Self::TooFewSamples { runs: runs(of), samples, needed }
+            }
+            FitError::Confounded { runs: of, base } => {
+                Self::Confounded { runs: runs(of), coefficients: coefficients(base) }
+            }
+            FitError::NotFinite => Self::NotFinite,
+            FitError::NoFirstStep => Self::NoFirstStep,
+            FitError::TooManyCoefficients(count) => Self::TooManyCoefficients(count),
+        }
+    }
+
+    /// The same with what a caller calls the runs, such as their files.
+    #[must_use]
+    pub fn rename(mut self, name: impl Fn(&str) -> String) -> Self {
+        if let Self::TooFewSamples { runs, .. } | Self::Confounded { runs, .. } = &mut self {
+            runs.iter_mut().for_each(|run| *run = name(run));
+        }
+        self
+    }
+}
+
+/// Fits `observations`; each run at most once.
+///
+/// # Errors
+/// [`EstimateError`]
+pub fn fit(setup: &Setup, observations: &[Observation], estimator: Estimator) -> Result<Fit, EstimateError> {
+    solved::fit(setup, observations, estimator).map_err(|error| EstimateError::named(setup, error))
+}
+
+/// As [`fit`], with the variance of the readings from elsewhere.
+///
+/// # Errors
+/// [`EstimateError`]
+pub fn fit_with(
+    setup: &Setup,
+    observations: &[Observation],
+    estimator: Estimator,
+    variance: Variance,
+) -> Result<Fit, EstimateError> {
+    solved::fit_with(setup, observations, estimator, variance).map_err(|error| EstimateError::named(setup, error))
+}
+
+/// As the command line and JSON call it.
+impl fmt::Display for Estimator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Joint => "joint",
+            Self::TwoStep => "two-step",
+        })
+    }
+}

@@ -1,0 +1,68 @@
+//! A drawn machine and its noisy readings.
+
+use super::draw::{ErrorLimits, SimulatedMachine, draw};
+use super::fit::Observation;
+use super::monte_carlo::Draws;
+use super::setup::Setup;
+use super::simulate::grid;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use trunnion_codegen::ids::RunId;
+use trunnion_codegen::measurement::ExactReading;
+use trunnion_codegen::quantity::Unit;
+use typed_index_collections::TiVec;
+
+/// What is simulated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Simulation {
+    /// Seed of the random numbers: the same seed gives the same machine and readings.
+    pub seed: u64,
+    /// Samples of each run.
+    pub samples: usize,
+    /// Half width of the uniform noise of the readings, µm.
+    pub noise_um: f64,
+    /// Bounds of the errors.
+    pub limits: ErrorLimits,
+    /// First angle and end of the range, degrees; the last sample is one step before the end.
+    pub range_deg: (f64, f64),
+}
+
+/// A machine and what was read on it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Simulated {
+    /// The machine.
+    pub machine: SimulatedMachine,
+    /// Every run of the model.
+    pub observations: TiVec<RunId, Observation>,
+}
+
+impl Simulation {
+    /// First angle and end, rad.
+    pub fn range(&self) -> (f64, f64) {
+        (self.range_deg.0.to_radians(), self.range_deg.1.to_radians())
+    }
+
+    /// The sweep at every sample, rad.
+    pub fn sweeps(&self) -> Vec<f64> {
+        grid(self.samples, self.range_deg).into_iter().map(f64::to_radians).collect()
+    }
+
+    /// Many machines drawn in the same way.
+    pub fn draws(&self, trials: u64) -> Draws {
+        let noise = self.noise_um * Unit::Um.factor();
+        let &Self { seed, samples, limits, .. } = self;
+        Draws { trials, samples, range: self.range(), limits, noise, seed }
+    }
+
+    /// Draws a machine and measures it.
+    pub fn measure(&self, setup: &Setup) -> Simulated {
+        let sweeps = self.sweeps();
+        let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|r| setup.exact(r, &sweeps)).collect();
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let machine = draw(setup, &exact.raw, self.limits, &mut random);
+        let mut noise = || random.random_range(-1.0..=1.0) * self.noise_um * Unit::Um.factor();
+        let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, &mut noise);
+        let observations = exact.iter_enumerated().map(observe).collect();
+        Simulated { machine, observations }
+    }
+}

@@ -1,0 +1,53 @@
+//! Weights of runs.
+
+use super::fit::Observation;
+use super::setup::Setup;
+use thiserror::Error;
+use trunnion_codegen::ids::RunId;
+
+/// Weights beyond this, or below its inverse, leave one of the runs without a say in double precision.
+const MOST: f64 = 1e9;
+
+/// Why a run cannot have a weight.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum WeightError {
+    /// The model has no such run.
+    #[error("the model has no run `{run}`\n  expected {}", .runs.join(", "))]
+    UnknownRun {
+        /// The name given.
+        run: String,
+        /// The runs of the model.
+        runs: Vec<String>,
+    },
+    /// A run has two weights.
+    #[error("run `{0}` is given twice\n  expected a run's weight once")]
+    Twice(String),
+    /// A weight beyond use: the run and its weight.
+    #[error("run `{0}`: weight {1:e} is beyond use\n  expected a weight from 1e-9 to 1e9")]
+    OutOfRange(String, f64),
+}
+
+/// Gives the observations of runs the weights by these runs' names: one over the variance of a reading, up to a common factor.
+/// Those without one keep theirs.
+///
+/// # Errors
+/// [`WeightError`]
+pub fn weigh(setup: &Setup, observations: &mut [Observation], weights: &[(&str, f64)]) -> Result<(), WeightError> {
+    let mut weighed: Vec<RunId> = Vec::new();
+    for &(name, weight) in weights {
+        let Some(run) = setup.run(name) else {
+            let runs = setup.model.runs.iter().map(|run| run.name.clone()).collect();
+            return Err(WeightError::UnknownRun { run: name.to_owned(), runs });
+        };
+        if !(1.0 / MOST..=MOST).contains(&weight) {
+            return Err(WeightError::OutOfRange(name.to_owned(), weight));
+        }
+        if weighed.contains(&run) {
+            return Err(WeightError::Twice(name.to_owned()));
+        }
+        weighed.push(run);
+        observations.iter_mut().filter(|o| o.run == run).for_each(|o| o.weight = weight);
+    }
+    Ok(())
+}
