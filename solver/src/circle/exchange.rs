@@ -1,23 +1,11 @@
 //! Exchange of the four contacts of a zone.
 
+use super::zone::{ahead, angle, take};
 use super::{Point, Zone, distance, extremes};
 use crate::Real;
 
 /// Steps after which an exchange is taken to go round in circles.
 const MOST: u32 = 1000;
-
-/// The points of four indices.
-pub(super) fn take<T: Real>(points: &[Point<T>], at: [usize; 4]) -> Option<[Point<T>; 4]> {
-    let [a, b, c, d] = at.map(|i| points.get(i).copied());
-    Some([a?, b?, c?, d?])
-}
-
-/// Whether four points are met in turn when going round the centre once.
-pub(super) fn in_turn<T: Real>(centre: &Point<T>, held: &[Point<T>; 4]) -> bool {
-    let first = angle(centre, &held[0]);
-    let [_, b, c, d] = held.map(|p| ahead(first, angle(centre, &p)));
-    b > T::zero() && b < c && c < d
-}
 
 /// From four points spread by angle to contacts that enclose all points.
 pub(super) fn run<T: Real>(points: &[Point<T>], start: &Point<T>, slack: T) -> Option<Zone<T>> {
@@ -98,15 +86,4 @@ fn spread<T: Real>(points: &[Point<T>], centre: &Point<T>) -> Option<[usize; 4]>
         (*place, past) = (at, angle);
     }
     Some(chosen)
-}
-
-fn angle<T: Real>(centre: &Point<T>, point: &Point<T>) -> T {
-    (point[1] - centre[1]).atan2(point[0] - centre[0])
-}
-
-/// How far an angle is ahead of another, in [0, 2π).
-fn ahead<T: Real>(from: T, to: T) -> T {
-    let turn = T::of(core::f64::consts::TAU);
-    let ahead = (to - from) % turn;
-    if ahead < T::zero() { ahead + turn } else { ahead }
 }

@@ -1,47 +1,7 @@
 //! The minimum-zone circle: two concentric circles that enclose all points, as near to each other as can be.
 
-use super::{CircleError, CircleFit, Point, distance, exchange, extremes, least_squares};
+use super::{CircleError, CircleFit, Point, Zone, exchange, least_squares};
 use crate::Real;
-
-/// Concentric circles around the points, and the four points that hold them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Zone<T> {
-    /// The common centre, mm.
-    pub centre: Point<T>,
-    /// The inner radius, mm.
-    pub inner: T,
-    /// The outer radius, mm.
-    pub outer: T,
-    /// Indices of four points by angle, in turn on the one and the other circle; none where all points are on one
-    /// circle.
-    pub contacts: Option<[usize; 4]>,
-}
-
-impl<T: Real> Zone<T> {
-    /// Roundness deviation (RONt, minimum zone), mm.
-    pub fn width(&self) -> T {
-        self.outer - self.inner
-    }
-
-    /// Whether this zone meets the condition of a minimum: all points are within it, and its contacts alternate by
-    /// angle between the outer and the inner circle (so that no move of the centre narrows it). `slack`, mm, is what
-    /// counts as touching.
-    pub fn is_minimal(&self, points: &[Point<T>], slack: T) -> bool {
-        let (low, high) = extremes(points, &self.centre);
-        let enclosed = low >= self.inner - slack && high <= self.outer + slack;
-        let Some(contacts) = self.contacts else {
-            return enclosed && self.width() <= slack;
-        };
-        let Some(held) = exchange::take(points, contacts) else {
-            return false;
-        };
-        let radii = held.map(|p| distance(&self.centre, &p));
-        let on = |r: T, circle: T| (r - circle).abs() <= slack;
-        let alternate = |a: T, b: T| on(radii[0], a) && on(radii[2], a) && on(radii[1], b) && on(radii[3], b);
-        let turns = alternate(self.outer, self.inner) || alternate(self.inner, self.outer);
-        enclosed && turns && exchange::in_turn(&self.centre, &held)
-    }
-}
 
 /// The minimum-zone circle by exchange of contacts, from the least-squares circle.
 ///

@@ -15,12 +15,14 @@ mod error;
 mod exchange;
 mod least_squares;
 mod minimum_zone;
+mod zone;
 
 use crate::Real;
 
 pub use error::CircleError;
 pub use least_squares::{CircleFit, least_squares};
-pub use minimum_zone::{Zone, minimum_zone};
+pub use minimum_zone::minimum_zone;
+pub use zone::Zone;
 
 /// A point in the plane, mm.
 pub type Point<T> = [T; 2];

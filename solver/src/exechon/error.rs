@@ -1,6 +1,5 @@
 //! What can be wrong with a machine, a target, and a solution.
 
-use super::Limit;
 use crate::Real;
 use core::{error, fmt};
 
@@ -139,6 +138,21 @@ impl Dimension {
             Self::HomeA => "a_deg",
         }
     }
+}
+
+/// What a range is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// The strut from U1 to R4.
+    Strut1,
+    /// The strut from S2 to R5.
+    Strut2,
+    /// The strut from U3 to R6.
+    Strut3,
+    /// The A axis.
+    A,
+    /// The C axis.
+    C,
 }
 
 impl fmt::Display for Limit {

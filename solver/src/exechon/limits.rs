@@ -1,6 +1,6 @@
 //! How far struts and axes go.
 
-use super::{KinematicsError, pose::Joints};
+use super::{KinematicsError, Limit, pose::Joints};
 use crate::Real;
 
 /// From `low` to `high`, both within.
@@ -21,21 +21,6 @@ pub struct Limits<T> {
     pub a: Range<T>,
     /// Of the C axis, rad.
     pub c: Range<T>,
-}
-
-/// What a range is of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limit {
-    /// The strut from U1 to R4.
-    Strut1,
-    /// The strut from S2 to R5.
-    Strut2,
-    /// The strut from U3 to R6.
-    Strut3,
-    /// The A axis.
-    A,
-    /// The C axis.
-    C,
 }
 
 impl<T: Real> Range<T> {

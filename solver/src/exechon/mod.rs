@@ -49,9 +49,9 @@ pub mod equations {
     include!(concat!(env!("OUT_DIR"), "/exechon.rs"));
 }
 
-pub use error::{Dimension, Input, KinematicsError, MachineError, RotationError, Singularity, TargetError};
+pub use error::{Dimension, Input, KinematicsError, Limit, MachineError, RotationError, Singularity, TargetError};
 pub use frame::Frame;
-pub use limits::{Limit, Limits, Range};
+pub use limits::{Limits, Range};
 pub use machine::{Dimensions, Home, Machine};
 pub use pose::{Branch, Joints, Pose, Start};
 pub use rotation::Tilted;

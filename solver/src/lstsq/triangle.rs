@@ -1,6 +1,5 @@
 //! The leading triangle of a factor: rank, back substitution, covariance.
 
-use super::solution::dot;
 use super::{Confounded, Factor, Real, SolveError, Subset};
 
 /// The first `n` of a factor's columns, and what follows from them alone. Matrices and vectors have the factor's width and
@@ -85,23 +84,25 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
         v
     }
 
-    /// `variance · (X'WX)⁻¹ = variance · R⁻¹ D⁻¹ R⁻ᵀ`, given R⁻¹.
+    /// Makes `variance · (X'WX)⁻¹ = variance · R⁻¹ D⁻¹ R⁻ᵀ` of R⁻¹.
     #[inline]
-    pub fn covariance(self, inverse: &[[T; P]; P], variance: T) -> [[T; P]; P] {
+    pub fn covariance(self, inverse: &mut [[T; P]; P], variance: T) {
         let n = self.n.min(P);
-        let mut covariance = [[T::zero(); P]; P];
+        // A row of the result needs that row of R⁻¹ and those below it, which are still there.
         for i in 0..n {
             let mut over_d = inverse[i];
-            for (k, v) in over_d.iter_mut().enumerate().take(n) {
-                *v = *v / self.factor.dr[k][k] * variance;
+            for k in i..n {
+                over_d[k] = over_d[k] / self.factor.dr[k][k] * variance;
             }
             for j in i..n {
-                let v = dot(&over_d, &inverse[j]);
-                covariance[i][j] = v;
-                covariance[j][i] = v;
+                inverse[i][j] = over_d.iter().zip(&inverse[j]).take(n).fold(T::zero(), |sum, (&a, &b)| sum + a * b);
             }
         }
-        covariance
+        for i in 0..n {
+            for j in 0..i {
+                inverse[i][j] = inverse[j][i];
+            }
+        }
     }
 
     /// Squared norm of each column of the (weighted) design.

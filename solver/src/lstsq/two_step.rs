@@ -71,14 +71,14 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     ) -> Result<Sensitivity<T, P>, TwoStepError<P>> {
         let one = T::one();
         let k = Triangle::leading(first, self.first().len());
-        let u_k = k.inverse();
-        k.determined(&u_k, Some(one)).map_err(|e| self.first_failed(e))?;
+        let mut cov_k = k.inverse();
+        k.determined(&cov_k, Some(one)).map_err(|e| self.first_failed(e))?;
         let e = Triangle::leading(second, self.own().len());
-        let u_e = e.inverse();
-        e.determined(&u_e, Some(one)).map_err(|e| self.second_failed(e))?;
+        let mut cov_e = e.inverse();
+        e.determined(&cov_e, Some(one)).map_err(|e| self.second_failed(e))?;
 
-        let cov_k = k.covariance(&u_k, one);
-        let cov_e = e.covariance(&u_e, one);
+        k.covariance(&mut cov_k, one);
+        e.covariance(&mut cov_e, one);
         let cross = self.cross(&self.gain(second, &e), &cov_k);
         let mut sensitivity = [[[T::zero(); P]; P]; 2];
         let [of_first, of_second] = &mut sensitivity;
@@ -118,19 +118,19 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         variance: Option<T>,
     ) -> Result<Solution<T, P>, TwoStepError<P>> {
         let k = Triangle::leading(first, self.first().len());
-        let u_k = k.inverse();
-        k.determined(&u_k, variance).map_err(|e| self.first_failed(e))?;
+        let mut cov_k = k.inverse();
+        k.determined(&cov_k, variance).map_err(|e| self.first_failed(e))?;
         let e = Triangle::leading(second, self.own().len());
-        let u_e = e.inverse();
-        e.determined(&u_e, variance).map_err(|e| self.second_failed(e))?;
+        let mut cov_e = e.inverse();
+        e.determined(&cov_e, variance).map_err(|e| self.second_failed(e))?;
 
         let residual = Residual::new(first.rss, first.samples, self.first().len());
-        let cov_k = k.covariance(&u_k, variance.unwrap_or(residual.variance));
+        k.covariance(&mut cov_k, variance.unwrap_or(residual.variance));
         let k = k.back_substitute(first.q);
 
         let (rest, rss) = self.given(second, &k);
         let residual = Residual::new(rss, second.samples, self.own().len());
-        let mut cov_e = e.covariance(&u_e, variance.unwrap_or(residual.variance));
+        e.covariance(&mut cov_e, variance.unwrap_or(residual.variance));
         let gain = self.gain(second, &e);
         let e = e.back_substitute(rest);
         let cross = self.cross(&gain, &cov_k);

@@ -1,22 +1,20 @@
 //! Both estimators on the reference sets, against `high_precision/solutions.json` (made by the script beside it) and
-//! against themselves: sensitivities, weights, the streaming solver, what is said beside the numbers.
+//! against themselves: the streaming solver, what is said beside the numbers, what is refused.
 
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+mod influence;
+mod linearisation;
+
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use trunnion::data::{Known, Quantity, Radius, Sweep, Table, Unit};
+use trunnion::data::{Known, Quantity, Radius, Sweep, Table};
 use trunnion::study::{
-    Curve, ErrorLimits, EstimateError, Estimator, Fit, Observation, Report, Sample, Setup, Warning, draw, fit, grid,
-    neglected, report,
+    Curve, ErrorLimits, EstimateError, Estimator, Fit, Observation, Report, Sample, Setup, Warning, fit, report,
 };
 use trunnion_codegen::catalogue;
-use trunnion_codegen::ids::{FunctionId, RunId};
-use trunnion_codegen::measurement::ExactReading;
+use trunnion_codegen::ids::FunctionId;
 use trunnion_solver::lstsq::student_t_95;
 use trunnion_solver::tilting::{Estimate, Joint, Lengths, TwoStep};
-use typed_index_collections::TiVec;
 
 const ESTIMATORS: [(Estimator, &str); 2] = [(Estimator::Joint, "joint"), (Estimator::TwoStep, "two-step")];
 /// The place of the tilting run among the observations.
@@ -132,69 +130,6 @@ fn the_fit_is_the_least_squares_solution() {
 }
 
 #[test]
-fn without_noise_what_is_left_is_linearisations_and_within_its_bound() {
-    let set = Set::read("exact");
-    let truth = set.truth["eps_xa"].as_array().unwrap();
-    for (estimator, key) in ESTIMATORS {
-        let (report, curve) = set.report(estimator);
-        let left = |p: &trunnion::study::CurvePoint| {
-            let truth = truth.iter().find(|t| (number(&t["a_deg"]) - p.at).abs() < 1e-9).unwrap();
-            (p.value - number(&truth["urad"])).abs()
-        };
-        let largest = curve.points.iter().map(left).fold(0.0, f64::max);
-        println!("{key}: {largest:.3} µrad left, at most {:.3} by the bound", curve.neglected);
-        assert!(largest > 1e-3, "linearisation leaves something");
-        assert!(largest <= curve.neglected, "{key}: {largest} > {}", curve.neglected);
-        for ((run, _, rms), bound) in report.runs.iter().zip(&report.neglected) {
-            println!("{key}, {run}: rms {rms:.6} µm, at most {bound:.3} µm");
-            assert!(rms <= bound);
-        }
-    }
-}
-
-#[test]
-fn no_drawn_machine_is_further_from_linear_than_the_bound() {
-    let set = Set::read("full");
-    let sweeps = grid(90, (0.0, std::f64::consts::TAU));
-    let exact: TiVec<RunId, ExactReading> =
-        set.setup.model.runs.keys().map(|run| set.setup.exact(run, &sweeps)).collect();
-    let mut random = ChaCha8Rng::seed_from_u64(3);
-    let mut closest = 0.0f64;
-    for _ in 0..100 {
-        let machine = draw(&set.setup, &exact.raw, ErrorLimits::PAPER, &mut random);
-        let base = machine.base(&set.setup);
-        for (run, exact) in exact.iter_enumerated() {
-            let bound = neglected(&set.setup, run, &sweeps, ErrorLimits::PAPER).unwrap().bound;
-            let known = set.setup.true_known(run, exact, &machine);
-            let clean: Vec<f64> = exact.values(&machine).collect();
-            let mut row = set.setup.row(run);
-            for (i, &a) in sweeps.iter().enumerate() {
-                let (regressors, factors) = row.at(a);
-                let names = &set.setup.derivation.runs[run].regressors;
-                let linear: f64 = regressors.iter().zip(names).map(|(x, (b, _))| x * base[*b]).sum();
-                let given: f64 = factors.iter().zip(known.get(i).into_iter().flatten()).map(|(f, k)| f * k).sum();
-                closest = closest.max((clean[i] - linear - given).abs() / bound[i]);
-            }
-        }
-    }
-    println!("at most {closest:.3} of the bound");
-    // Third-order terms are a ten-thousandth of these; something must come near, or the bound says nothing.
-    assert!((0.05..1.0).contains(&closest), "{closest}");
-}
-
-#[test]
-fn the_bound_is_of_second_order() {
-    let set = Set::read("exact");
-    for o in &set.observations {
-        let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
-        let largest =
-            |length, angle| neglected(&set.setup, o.run, &sweeps, ErrorLimits { length, angle }).unwrap().largest();
-        assert_eq!(largest(0.0, 0.0), 0.0);
-        assert!(relative(largest(0.015, 5e-5) * 4.0, largest(0.03, 1e-4)) < 1e-12);
-    }
-}
-
-#[test]
 fn an_arc_too_short_is_warned_of_by_name() {
     let named = |set: &str, estimator| {
         let (report, _) = Set::read(set).report(estimator);
@@ -261,103 +196,6 @@ fn the_embedded_solver_gives_the_same_as_the_study() {
         println!("{key}: f64 {f64s:.1e} µrad, f32 {f32s:.1e} µrad");
         assert!(f64s < 1e-9, "{key}: {f64s:e} µrad");
         assert!(f32s < 0.01, "{key}: {f32s:e} µrad in f32");
-    }
-}
-
-#[test]
-fn sensitivity_is_what_a_moved_reading_does() {
-    let mut set = Set::read("full");
-    set.observations[1].weight = 2.5;
-    let by = 1e-3;
-    for (estimator, key) in ESTIMATORS {
-        let whole = set.fit(estimator);
-        for x in [30f64, 150.0, 300.0].map(f64::to_radians) {
-            let value = |f: &Fit| f.function(&set.setup, set.eps_xa(), x).0;
-            let sensitivity = whole.sensitivity(&set.setup, &set.observations, set.eps_xa(), x);
-            let largest = sensitivity.observations().flatten().fold(0.0f64, |m, w| m.max(w.abs()));
-            for (o, sensitivity) in sensitivity.observations().enumerate() {
-                assert_eq!(sensitivity.len(), set.observations[o].samples.len());
-                for i in (0..360).step_by(45) {
-                    let moved = fit(&set.setup, &set.moved(o, i, by), estimator).unwrap();
-                    let difference = (value(&moved) - value(&whole)) / by;
-                    let off = (difference - sensitivity[i]).abs();
-                    assert!(off < 1e-8 * largest, "{key}, run {o}, sample {i}: {difference} {}", sensitivity[i]);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn a_runs_weight_counts_as_so_many_copies_of_its_samples() {
-    let set = Set::read("full");
-    let doubled = |run: usize, copies: bool| {
-        let mut observations = set.observations.clone();
-        if copies {
-            observations[run].samples.extend(set.observations[run].samples.clone());
-        } else {
-            observations[run].weight = 2.0;
-        }
-        observations
-    };
-    let values = |o: &[Observation], estimator| fit(&set.setup, o, estimator).unwrap().values;
-    for (estimator, key) in ESTIMATORS {
-        let equal = values(&set.observations, estimator);
-        for run in 0..2 {
-            let (weighted, copied) = (values(&doubled(run, false), estimator), values(&doubled(run, true), estimator));
-            let off = weighted.iter().zip(&copied).map(|(a, b)| relative(*a, *b)).fold(0.0, f64::max);
-            assert!(off < 1e-8, "{key}, run {run}: {off:e}");
-            let moved = weighted.iter().zip(&equal).map(|(a, b)| relative(*a, *b)).fold(0.0, f64::max);
-            // Weights only matter between runs of one step.
-            assert_eq!(moved > 1e-6, estimator == Estimator::Joint, "{key}, run {run}: {moved:e}");
-        }
-    }
-}
-
-#[test]
-fn the_cost_of_no_table_is_what_the_worst_table_does() {
-    let mut set = Set::read("full");
-    for s in &mut set.observations[TILTING].samples {
-        s.known = vec![0.0; 2];
-    }
-    for (estimator, key) in ESTIMATORS {
-        let whole = set.fit(estimator);
-        let said = report(&set.setup, &set.observations, &whole, ErrorLimits::PAPER, true).unwrap();
-        let costs: Vec<(&str, f64)> = said
-            .warnings
-            .iter()
-            .filter_map(|w| match w {
-                Warning::TakenAsZero { known, unit, costs } => {
-                    assert_eq!(
-                        (*unit, costs[0].0.as_str(), costs[0].1, costs.len()),
-                        (Unit::Um, "eps_xa", Unit::Urad, 1)
-                    );
-                    Some((known.as_str(), costs[0].2))
-                }
-                _ => None,
-            })
-            .collect();
-        assert_eq!(costs.iter().map(|(n, _)| *n).collect::<Vec<_>>(), ["dya", "dza"], "{key}");
-        for (at, (name, cost)) in costs.into_iter().enumerate() {
-            // A table of ±1 µm whose signs follow those of the readings' influence on one angle; the factors of (7) are
-            // −sin a for δya and cos a for δza.
-            let change = |x: f64| {
-                let sensitivity = whole.sensitivity(&set.setup, &set.observations, set.eps_xa(), x);
-                let mut observations = set.observations.clone();
-                for (s, w) in
-                    observations[TILTING].samples.iter_mut().zip(sensitivity.observations().nth(TILTING).unwrap())
-                {
-                    let factor = [-s.sweep.sin(), s.sweep.cos()][at];
-                    s.known[at] = 1e-3 * (w * factor).signum();
-                }
-                let other = fit(&set.setup, &observations, estimator).unwrap();
-                let value = |f: &Fit| f.function(&set.setup, set.eps_xa(), x).0;
-                (value(&other) - value(&whole)).abs() * 1e6
-            };
-            let largest = (0..72).map(|i| change(f64::from(i * 5).to_radians())).fold(0.0, f64::max);
-            println!("{key}: 1 µm of {name} says {cost:.3} µrad, does {largest:.3} µrad");
-            assert!(relative(cost, largest) < 0.01, "{key}, {name}: {cost} against {largest}");
-        }
     }
 }
 
