@@ -1,57 +1,22 @@
 //! `trunnion plan`: what intended runs would tell, before anything is measured.
 
+mod arguments;
+mod found;
 mod json;
 mod text;
 
+pub use arguments::PlanArguments;
+
 use super::model::{load, others, source};
-use super::predicted::{self, Measuring};
 use super::{Refused, print};
-use clap::Args;
+use found::Found;
 use trunnion::data::Radius;
-use trunnion::study::plan::{Addition, Compared, Comparison, additions, compare};
-use trunnion::study::{Estimator, SetupError};
+use trunnion::study::SetupError;
+use trunnion::study::plan::{Comparison, additions, compare};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
-use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::model::{Model, read_draft};
 use trunnion_codegen::problems::derivation;
-
-/// Arguments of `plan`.
-#[derive(Debug, Args)]
-pub struct PlanArguments {
-    /// A name from the catalogue, or a model file.
-    model: String,
-    /// Nominal lengths of the ball-bar to compare, mm; 100, 150 and 300 if none is given.
-    #[arg(long, value_name = "MM", value_delimiter = ',', num_args = 1.., allow_negative_numbers = true)]
-    radius: Vec<f64>,
-    /// Another length of the set-up, mm.
-    #[arg(long = "set", value_name = "NAME=MM")]
-    lengths: Vec<String>,
-    /// Ranges of the sweeps to compare, degrees; the full turn, -20:200 and -90:90 if none is given.
-    #[arg(long, value_name = "A:B", num_args = 1.., value_parser = predicted::range, allow_hyphen_values = true)]
-    range_deg: Vec<(f64, f64)>,
-    /// A run to leave out, several joined by commas to leave them out together; each run in turn if none is given.
-    #[arg(long, value_name = "RUN", num_args = 1..)]
-    without: Vec<String>,
-    #[command(flatten)]
-    measuring: Measuring,
-    /// Print one JSON object.
-    #[arg(long)]
-    json: bool,
-}
-
-/// All there is to say.
-struct Found<'a> {
-    model: &'a Model,
-    derivation: &'a Derivation,
-    estimator: Estimator,
-    compared: Vec<Compared>,
-    /// The confounded groups in words.
-    described: Vec<String>,
-    /// Runs of the catalogue that fit the machine.
-    tried: usize,
-    added: Vec<Addition>,
-}
 
 const RADII: [f64; 3] = [100.0, 150.0, 300.0];
 const RANGES: [(f64, f64); 3] = [(0.0, 360.0), (-20.0, 200.0), (-90.0, 90.0)];
