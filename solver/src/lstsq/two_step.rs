@@ -15,7 +15,7 @@
 //! cov e     = s₂² (E'WE)⁻¹ + G cov k G'
 //! ```
 
-use super::solve::Residual;
+use super::residual::Residual;
 use super::triangle::Triangle;
 use super::{Condition, Factor, Order, Real, Solution, SolveError, Step, TwoStepError};
 use nalgebra::SMatrix;

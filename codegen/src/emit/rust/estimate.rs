@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::function::docs;
-use super::model::{Estimated, Printed};
+use super::printed::{Estimated, Printed};
 use super::{LOCAL, blank, ident};
 use crate::emit::names::Scope;
 

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::function::docs;
-use super::model::{Printed, Row};
+use super::printed::{Printed, Row};
 use super::{LOCAL, blank, ident};
 use crate::emit::names::Scope;
 use crate::identify::DerivedRun;

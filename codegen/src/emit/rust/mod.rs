@@ -5,10 +5,12 @@ mod expression;
 mod function;
 mod joint;
 mod model;
+mod printed;
 mod source;
 mod two_step;
 
-pub use model::{Owner, model_items};
+pub use model::model_items;
+pub use printed::Owner;
 pub use source::{model_source, source};
 
 use super::names::Rules;

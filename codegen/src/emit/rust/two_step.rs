@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::function::docs;
 use super::joint::{Estimator, constructor, merge, new, push};
-use super::model::Printed;
+use super::printed::Printed;
 use super::{blank, ident};
 use crate::identify::DerivedRun;
 use crate::ids::BaseId;
