@@ -46,6 +46,7 @@ mod error;
 mod factor;
 mod order;
 mod real;
+mod residual;
 mod solution;
 mod solve;
 mod student;

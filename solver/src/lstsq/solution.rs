@@ -1,7 +1,7 @@
 //! The estimate and its uncertainty.
 
 use super::Real;
-use super::solve::Residual;
+use super::residual::Residual;
 use nalgebra::{SMatrix, SVector};
 
 /// Coefficients with their covariance. Every number in it is finite.

@@ -15,8 +15,8 @@
 //! cov e     = s₂² (E'WE)⁻¹ + G cov k G'
 //! ```
 
+use super::residual::Residual;
 use super::solution::dot;
-use super::solve::Residual;
 use super::triangle::Triangle;
 use super::{Condition, Factor, Order, Real, Solution, SolveError, Step, TwoStepError};
 use nalgebra::SMatrix;
