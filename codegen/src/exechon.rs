@@ -1,7 +1,7 @@
 //! The Exechon-type parallel machine: its closure equations as expressions, with their derivatives.
 //!
-//! Equations (1)–(5) of Lee, Lee and Yang, J. Korean Soc. Precis. Eng. 36(5), 2019, as mended: joint coordinates are
-//! signed, the orientation is a rotation, and (5) is closed with the A axis' own y direction and its branch sign.
+//! Equations E(1)–E(5) as mended: joint coordinates are signed, the orientation is a rotation, and E(5) is closed with the A
+//! axis' own y direction and its branch sign.
 //! Lengths in mm; p = (x, y, z) is the moving platform's origin in base coordinates.
 
 use crate::emit::{Function, Input, Output};
@@ -37,20 +37,20 @@ pub fn functions() -> Result<[Function; 3], Unbound> {
     Ok([orientation()?, struts()?, closure()?])
 }
 
-/// (4).
+/// E(4).
 fn orientation() -> Result<Function, Unbound> {
     let mut g = Graph::new();
     let axes = axes(&mut g);
     Function::new(
         &g,
         "orientation",
-        &["Orientation (4) of the moving platform: its x, y and z axes, one a row."],
+        &["Orientation E(4) of the moving platform: its x, y and z axes, one a row."],
         inputs(&["ys2"]),
         &[Output::matrix("axes", &axes)],
     )
 }
 
-/// (1)–(3) and their derivatives.
+/// E(1)–E(3) and their derivatives.
 fn struts() -> Result<Function, Unbound> {
     let mut g = Graph::new();
     let [x_axis, y_axis, _] = axes(&mut g);
@@ -77,13 +77,13 @@ fn struts() -> Result<Function, Unbound> {
     Function::new(
         &g,
         "struts",
-        &["Strut lengths (1)-(3) and their derivatives by the platform's position."],
+        &["Strut lengths E(1)-E(3) and their derivatives by the platform's position."],
         inputs(&["xu", "ys2", "xr", "yr5"]),
         &[Output::array("lengths", &named), Output::matrix("jacobian", &jacobian)],
     )
 }
 
-/// (5): v − yt·ŷA, with v = pS − p − R·[0, yCp, zC] and ŷA = σ·(ẑ − (ẑ·t) t)/|ẑ − (ẑ·t) t|.
+/// E(5): v − yt·ŷA, with v = pS − p − R·[0, yCp, zC] and ŷA = σ·(ẑ − (ẑ·t) t)/|ẑ − (ẑ·t) t|.
 fn closure() -> Result<Function, Unbound> {
     let mut g = Graph::new();
     let [_, y_axis, z_axis] = axes(&mut g);
@@ -116,7 +116,7 @@ fn closure() -> Result<Function, Unbound> {
         &g,
         "closure",
         &[
-            "Closure (5) of the tool's loop and its derivatives by the platform's position: zero where the platform",
+            "Closure E(5) of the tool's loop and its derivatives by the platform's position: zero where the platform",
             "at (x, y, z) lets the A axis point the tool along t with the spindle axis through (sx, sy, sz).",
             "",
             "`yt` carries the branch's sign: the A axis' y offset times the sign of sin A.",
@@ -126,7 +126,7 @@ fn closure() -> Result<Function, Unbound> {
     )
 }
 
-/// The platform's axes (4). The x axis of the base carries the outer gimbals, so ŷ has no x component.
+/// The platform's axes, E(4). The x axis of the base carries the outer gimbals, so ŷ has no x component.
 fn axes(g: &mut Graph) -> [Vector; 3] {
     let [x, y, z] = PLATFORM.map(|name| symbol(g, name));
     let ys2 = symbol(g, "ys2");

@@ -32,15 +32,8 @@
 //!
 //! The feature `std` takes the standard library's mathematics in the place of `libm`.
 //!
-//! # Sources
-//!
-//! Equations are cited as T(7) and E(7):
-//!
-//! - **T**: K. I. Lee, D. M. Lee and S. H. Yang, *Measurement of Angular Positioning Error for a Tilting Table of Five-axis Machine
-//!   Tool*, Kyungpook National University, in Korean.
-//! - **E**: H. H. Lee, D. M. Lee and S. H. Yang, *Accuracy Improvement of On-Machine Measurement for the Parallel Kinematic Machine
-//!   Considering Constraint Motion*, Journal of the Korean Society for Precision Engineering 36(5), 463–469 (2019),
-//!   [doi:10.7736/KSPE.2019.36.5.463](https://doi.org/10.7736/KSPE.2019.36.5.463).
+//! Equations are cited as T(7) and E(7), after the tilting-table and the Exechon paper, which
+//! [the documentation](https://github.com/trunnion-metrology/trunnion/blob/main/docs/README.md) cites in full.
 #![no_std]
 
 #[cfg(feature = "circle")]

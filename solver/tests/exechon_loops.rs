@@ -1,8 +1,8 @@
-//! The closed form (4) against the joints themselves, without using it.
+//! The closed form E(4) against the joints themselves, without using it.
 //!
 //! Each strut is a chain of its own: a gimbal with two angles at the base, the strut's length, revolute joints at the
 //! platform. Where the chains of the three struts meet in one rigid platform, the machine is closed; that is solved here by
-//! Newton with difference quotients over all joint angles, knowing nothing of (4).
+//! Newton with difference quotients over all joint angles, knowing nothing of E(4).
 
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3};
 use trunnion_solver::exechon::{Dimensions, Home, Joints, Limits, Machine};

@@ -26,7 +26,7 @@ fn the_reversal_gives_the_offset_exactly() {
         let found = reversal(offset).exact().unwrap();
         assert!((found[0] - offset[0]).abs() < 1e-13 && (found[1] - offset[1]).abs() < 1e-13, "{found:?}");
         let near = reversal(offset).small_angle();
-        // (9) drops o⊥²/ρ.
+        // E(9) drops o⊥²/ρ.
         for (near, (own, across)) in near.iter().zip([(offset[0], offset[1]), (offset[1], offset[0])]) {
             let dropped = own - near;
             assert!((dropped - across * across / RADIUS).abs() < 0.02 * across * across / RADIUS + 1e-13, "{dropped}");

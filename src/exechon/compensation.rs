@@ -1,4 +1,4 @@
-//! The quintic φ(θ) that a control follows around a ring (10).
+//! The quintic φ(θ) that a control follows around a ring, E(10).
 
 use super::{ALONG, PointError, rotation_at};
 use nalgebra::SVector;
@@ -8,7 +8,7 @@ use trunnion_solver::{exechon::Machine, lstsq::Factor};
 /// Places between touches at which the quintic is held against the inverse kinematics.
 const FINE: u32 = 3600;
 
-/// The spindle angle over a ring's angle θ, as a polynomial: φ(θ) = Σ cₙ θⁿ, n = 0…5 (10).
+/// The spindle angle over a ring's angle θ, as a polynomial: φ(θ) = Σ cₙ θⁿ, n = 0…5, E(10).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensation {
     /// Centre of the ring, mm.

@@ -18,7 +18,7 @@ pub enum NcError {
 
 /// An NC program that touches a ring from inside and writes the touches to a file.
 ///
-/// `ring` and `ball` are radii in mm. The control computes the spindle angle from the quintic (10) before each touch.
+/// `ring` and `ball` are radii in mm. The control computes the spindle angle from the quintic E(10) before each touch.
 /// Written from the control's documentation, not run on one: a person who knows the machine edits and proves it.
 ///
 /// # Errors

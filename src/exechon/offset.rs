@@ -36,7 +36,7 @@ pub struct OffsetReport {
     pub with_rotation: OffsetFit<f64>,
     /// The probe turned by the spindle alone.
     pub spindle_alone: OffsetFit<f64>,
-    /// (8) and (9), where the touches are the paper's.
+    /// E(8) and E(9), where the touches are the paper's.
     pub reversal: Option<ReversalReport>,
 }
 
@@ -76,7 +76,7 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
     Ok(OffsetReport { with_rotation: fit(with_rotation)?, spindle_alone: fit(spindle_alone)?, reversal })
 }
 
-/// (8) and (9) where the touches are the paper's: both ways along x and y, then +x and +y with the spindle reversed.
+/// E(8) and E(9) where the touches are the paper's: both ways along x and y, then +x and +y with the spindle reversed.
 fn reversal(touches: &[Touch<f64>], gauge: &Gauge) -> Option<ReversalReport> {
     let near = |angle: f64, to: f64| ((angle - to) / 2.0).sin().abs() < 0.02;
     let at = |to: f64| touches.iter().filter(move |touch| near(touch.turned, to)).map(|touch| touch.position);

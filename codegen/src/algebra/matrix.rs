@@ -34,7 +34,7 @@ impl Transform {
     }
 
     /// The small rotation [1 −c b; c 1 −a; −b a 1] by the angles (a, b, c) about x, y, z, with a translation:
-    /// the matrix SM (location errors) or EM (motion errors) of eqs. (1) and (2).
+    /// the matrix SM (location errors) or EM (motion errors) of T(1) and T(2).
     pub fn small([a, b, c]: Vector, translation: Vector) -> Self {
         let one = Poly::one;
         let linear = [[one(), c.negated(), b.clone()], [c, one(), a.negated()], [b.negated(), a, one()]];

@@ -17,7 +17,7 @@ pub enum Basis {
 }
 
 impl Basis {
-    /// Polynomials x, x², … xⁿ of eq. (6); a constant belongs to the location errors.
+    /// Polynomials x, x², … xⁿ of T(6); a constant belongs to the location errors.
     pub fn polynomial(degree: u8) -> Self {
         Self::Polynomials((1..=usize::from(degree)).map(Univariate::power).collect())
     }

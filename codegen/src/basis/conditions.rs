@@ -1,4 +1,4 @@
-//! All polynomials up to a degree that satisfy linear conditions, exactly: eq. (10) from its conditions.
+//! All polynomials up to a degree that satisfy linear conditions, exactly: T(10) from its conditions.
 
 use super::Univariate;
 use crate::algebra::{AlgebraError, Alphabet, Fraction, Order, Poly, Row, reduce};
@@ -45,7 +45,7 @@ impl core::error::Error for NoBasis {}
 /// Zeros that the conditions imply are divided out, `f = Π(x − zᵢ) · g`, and the rest is solved for g with its highest
 /// coefficients free: so each basis function is monic, shows its zeros, and the choice does not depend on how the
 /// conditions were written. For f(0) = 0, f(2π) = f(0), f′(2π) = f′(0) and degree 4 this gives
-/// `x(x − 2π)(x² − 2π²)` and `x(x − 2π)(x − π)`, which is eq. (10).
+/// `x(x − 2π)(x² − 2π²)` and `x(x − 2π)(x − π)`, which is T(10).
 pub fn satisfying(degree: u8, conditions: &[Condition], alphabet: &Alphabet) -> Result<Vec<Univariate>, NoBasis> {
     let (zeros, rest) = split_zeros(conditions, alphabet)?;
     let mut factor = Univariate(vec![Poly::one()]);

@@ -1,4 +1,4 @@
-//! Functions of a coordinate put in for motion errors: eqs. (6) and (10).
+//! Functions of a coordinate put in for motion errors: T(6) and T(10).
 
 mod assumption;
 mod conditions;

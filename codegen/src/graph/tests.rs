@@ -140,7 +140,7 @@ fn wrong_lengths_are_refused() {
     assert_eq!(evaluator.evaluate(&[1.0], &mut []), Err(WrongLength::Outputs { expected: 1, given: 0 }));
 }
 
-/// The regressors of the tilting table's first run, eq. (7).
+/// The regressors of the tilting table's first run, T(7).
 pub(crate) fn tilting(g: &mut Graph) -> Vec<(&'static str, Id)> {
     let [radius, a] = g.inputs();
     let (s, c) = (g.sin(a), g.cos(a));

@@ -49,9 +49,9 @@ pub struct BaseParameter {
 pub struct DerivedRun {
     /// The run's name.
     pub name: String,
-    /// The linear reading in errors and functions, eq. (5), mm.
+    /// The linear reading in errors and functions, T(5), mm.
     pub reading: Poly,
-    /// Base parameter and its regressor, eqs. (7) and (9), in the order of [`Derivation::base`].
+    /// Base parameter and its regressor, T(7) and T(9), in the order of [`Derivation::base`].
     pub regressors: Vec<(BaseId, Fraction)>,
     /// Known functions with their factors.
     pub known: Vec<(FunctionId, Poly)>,

@@ -1,4 +1,4 @@
-//! Base parameters by exact rank factorisation: eqs. (7) and (9), and what the runs cannot tell apart.
+//! Base parameters by exact rank factorisation: T(7) and T(9), and what the runs cannot tell apart.
 //!
 //! After this room a run's reading is `Σ regressor · base parameter + Σ coefficient · known function`, and the base
 //! parameters are exactly what all runs together determine.

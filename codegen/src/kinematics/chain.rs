@@ -1,13 +1,13 @@
 //! Chains of 4×4 transforms in the paper's order.
 //!
-//! Rotary axis, eq. (1): `OM · SM · EM · AM`, the errors stand before the motion. Linear axis, eq. (2):
+//! Rotary axis, T(1): `OM · SM · EM · AM`, the errors stand before the motion. Linear axis, T(2):
 //! `SM · TM · EM`, they follow it. OM and SM are one matrix here: `OM · SM` is SM with OM's translation.
 
 use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, Transform, Vector};
 use crate::basis::Coordinate;
 use crate::model::{Axis, AxisKind, Ball, Model, Run};
 
-/// The workpiece ball and the tool ball in machine coordinates, eqs. (3) and (8), mm.
+/// The workpiece ball and the tool ball in machine coordinates, T(3) and T(8), mm.
 pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[Vector; 2], AlgebraError> {
     let (workpiece, tool) = run.at.raw.split_at(model.workpiece.len());
     Ok([

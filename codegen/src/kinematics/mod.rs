@@ -1,4 +1,4 @@
-//! From a description to the two balls: the chains of eqs. (1)–(3).
+//! From a description to the two balls: the chains of T(1)–T(3).
 //!
 //! After this room there are points in space, exact to the chosen order in the errors.
 

@@ -1,4 +1,4 @@
-//! The ball-bar: `(R + ΔR)² = |WB − TB|²`, eq. (4), solved for ΔR to any order.
+//! The ball-bar: `(R + ΔR)² = |WB − TB|²`, T(4), solved for ΔR to any order.
 
 use super::error::{ReadingError, length};
 use crate::algebra::{Monomial, NominalId, Order, Poly, Rational, difference, dot, integer};

@@ -37,7 +37,7 @@ impl ExactReading {
         &self.run
     }
 
-    /// The reading at every sample, mm: the bar's length less its nominal length, eq. (4), or `n · (TB − WB)`.
+    /// The reading at every sample, mm: the bar's length less its nominal length, T(4), or `n · (TB − WB)`.
     pub fn values<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = f64> + 'a {
         self.run.balls(errors).enumerate().map(move |(i, [workpiece, tool])| {
             let v: Point = core::array::from_fn(|k| tool[k] - workpiece[k]);

@@ -1,4 +1,4 @@
-//! From the two balls to what the instrument reads, as a polynomial in the errors: eqs. (4) and (5).
+//! From the two balls to what the instrument reads, as a polynomial in the errors: T(4) and T(5).
 
 mod bar;
 mod displacement;

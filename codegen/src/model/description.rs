@@ -139,7 +139,7 @@ pub struct Ball {
 /// What an instrument reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ReadingKind {
-    /// The radial deviation of a bar whose nominal length is this constant, eq. (4).
+    /// The radial deviation of a bar whose nominal length is this constant, T(4).
     BarLength(NominalId),
     /// The displacement of the tool ball against the workpiece ball, which nominally coincide, along this exact unit
     /// vector in machine coordinates; it may turn with the sweep. One channel of an R-test or of a probe on a sphere.

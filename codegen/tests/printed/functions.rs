@@ -19,7 +19,7 @@ impl Case {
     }
 }
 
-/// The regressors of the tilting table, eqs. (7) and (9), and the quartics of (10) with π in them.
+/// The regressors of the tilting table, T(7) and T(9), and the quartics of (10) with π in them.
 pub fn tilting() -> Case {
     let mut g = Graph::new();
     let [radius, a] = g.inputs();

@@ -5,7 +5,7 @@ use super::{Input, Joints, KinematicsError, Machine, Pose, Start, Vector, equati
 use crate::Real;
 
 impl<T: Real> Machine<T> {
-    /// The pose of given struts and axes, the platform found by Newton–Raphson on (1)–(3) from `start`.
+    /// The pose of given struts and axes, the platform found by Newton–Raphson on E(1)–E(3) from `start`.
     ///
     /// Three lengths leave the platform several places; this is the one in front of the base that `start` leads to. From
     /// home that is the place on home's side of the singular poses (100,000 places of the workspace, none failed).

@@ -8,7 +8,7 @@ use crate::Real;
 const NEAR: f64 = 0.02;
 
 impl<T: Real> Machine<T> {
-    /// The pose whose tool is at `target`, found by Newton–Raphson on (5) from `start`, on its branch.
+    /// The pose whose tool is at `target`, found by Newton–Raphson on E(5) from `start`, on its branch.
     ///
     /// Deterministic: the same target and start give the same bits. From home 3 to 6 steps over the workspace with
     /// |A| > 5°, few from the previous pose of a path.

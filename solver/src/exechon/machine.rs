@@ -90,7 +90,7 @@ impl<T: Real> Machine<T> {
         Frame::of(&self.home)
     }
 
-    /// The platform's x, y and z axes at a place (4).
+    /// The platform's x, y and z axes at a place, E(4).
     pub(super) fn orientation(&self, platform: &Vector<T>) -> Result<[Vector<T>; 3], KinematicsError<T>> {
         let [x, y, z] = *platform;
         let axes = equations::orientation(self.dimensions.ys2, x, y, z);
@@ -98,7 +98,7 @@ impl<T: Real> Machine<T> {
         if finite { Ok(axes) } else { Err(KinematicsError::Singular(Singularity::PlatformOnGimbals)) }
     }
 
-    /// Strut lengths (1)–(3) with the platform at a place.
+    /// Strut lengths E(1)–E(3) with the platform at a place.
     pub(super) fn struts(&self, platform: &Vector<T>) -> [T; 3] {
         let Dimensions { xu, ys2, xr, yr5, .. } = self.dimensions;
         let [x, y, z] = *platform;

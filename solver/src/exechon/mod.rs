@@ -1,8 +1,8 @@
 //! The Exechon-type parallel machine: three struts carry a platform, on it the C axis, the A axis and the spindle.
 //!
-//! After Lee, Lee and Yang, J. Korean Soc. Precis. Eng. 36(5), 463–469 (2019); equation numbers are theirs. Lengths in
-//! mm, angles in rad. Base coordinates (BP) have their origin midway between the outer gimbals U1 and U3, x through
-//! both, z towards the platform; [machine coordinates](Frame) are the tool's at home.
+//! After paper E, whose equations are cited as E(7). Lengths in mm, angles in rad. Base coordinates (BP) have their origin
+//! midway between the outer gimbals U1 and U3, x through both, z towards the platform; [machine coordinates](Frame) are the
+//! tool's at home.
 //!
 //! The tool point and direction leave the turn of the tool about its own axis to the struts: the *dependent rotation*
 //! ([`Machine::dependent_rotation`]).
@@ -44,7 +44,7 @@ mod rotation;
 mod target;
 mod vector;
 
-/// The generated functions: (1)–(5) with the derivatives by the platform's position.
+/// The generated functions: E(1)–E(5) with the derivatives by the platform's position.
 pub mod equations {
     include!(concat!(env!("OUT_DIR"), "/exechon.rs"));
 }

@@ -6,7 +6,7 @@ use crate::Real;
 /// Strut lengths and axis angles: what the drives do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joints<T> {
-    /// l1, l2, l3 in mm, joint to joint (1)–(3).
+    /// l1, l2, l3 in mm, joint to joint, E(1)–E(3).
     pub struts: [T; 3],
     /// The A axis, rad.
     pub a: T,
@@ -39,7 +39,7 @@ pub struct Pose<T> {
     pub point: Vector<T>,
     /// The moving platform's origin, mm.
     pub platform: Vector<T>,
-    /// The platform's x, y and z axes: the columns of R_MP (4).
+    /// The platform's x, y and z axes: the columns of R_MP, E(4).
     pub axes: [Vector<T>; 3],
     /// The x, y and z axes of the A axis' coordinates, the last the tool direction: the columns of R_MP·R_C·R_A.
     pub spindle: [Vector<T>; 3],

@@ -4,10 +4,10 @@ use super::vector::{cross, dot, plus};
 use super::{Machine, Pose, RotationError, Vector};
 use crate::Real;
 
-/// What φ is counted from where the tool does not point as at home: there ᴬR_H of (6) is no rotation about the tool.
+/// What φ is counted from where the tool does not point as at home: there ᴬR_H of E(6) is no rotation about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Tilted {
-    /// (7) as it stands: from home's x axis seen along the tool, its projection on the plane across the tool.
+    /// E(7) as it stands: from home's x axis seen along the tool, its projection on the plane across the tool.
     #[default]
     Projected,
     /// From home's orientation carried to the tool's direction by the smallest rotation that does so (about the cross
@@ -16,7 +16,7 @@ pub enum Tilted {
 }
 
 impl<T: Real> Machine<T> {
-    /// The dependent rotation φ of a pose (6), (7), rad in [−π, π]: the spindle angle that turns the tool back to its
+    /// The dependent rotation φ of a pose, E(6), E(7), rad in [−π, π]: the spindle angle that turns the tool back to its
     /// orientation at home. The tool itself has turned by −φ about its direction.
     ///
     /// `atan2(a21, a11)` of ᴬR_H; the paper prints the arguments the other way round. As long as the tool points as at

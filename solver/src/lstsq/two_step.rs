@@ -37,7 +37,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     ///
     /// # Errors
     /// [`TwoStepError`]: the step that failed, and why, as of [`Factor::solve`].
-    #[inline(always)]
+    #[inline]
     pub fn solve<T: Real>(
         &self,
         first: &Factor<T, F>,
@@ -110,7 +110,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         })
     }
 
-    #[inline(always)]
+    #[inline]
     fn estimate<T: Real>(
         &self,
         first: &Factor<T, F>,
@@ -147,7 +147,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     }
 
     /// ∂e/∂k for each column of the second factor that is given; zero for its own.
-    #[inline(always)]
+    #[inline]
     fn gain<T: Real>(&self, second: &Factor<T, S>, e: &Triangle<'_, T, S>) -> [[T; S]; S] {
         let mut gain = [[T::zero(); S]; S];
         for (column, (gain, &source)) in gain.iter_mut().zip(&self.source).enumerate() {
@@ -162,7 +162,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     }
 
     /// G cov k for all of k, a row for each own column.
-    #[inline(always)]
+    #[inline]
     fn cross<T: Real>(&self, gain: &[[T; S]; S], cov_k: &[[T; F]; F]) -> [[T; F]; S] {
         let mut cross = [[T::zero(); F]; S];
         for (gain, &source) in gain.iter().zip(&self.source) {
@@ -177,7 +177,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     }
 
     /// Adds G cov k G', given G cov k.
-    #[inline(always)]
+    #[inline]
     fn widen<T: Real>(&self, cov_e: &mut [[T; S]; S], cross: &[[T; F]; S], gain: &[[T; S]; S]) {
         let own = self.own_count.min(S);
         for i in 0..own {
@@ -194,13 +194,13 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     }
 
     /// What the columns of the second factor are given of `k`, a value for each column of the first; zero for its own.
-    #[inline(always)]
+    #[inline]
     fn given_of<T: Real>(&self, k: &[T; F]) -> [T; S] {
         self.source.map(|column| k.get(column).copied().unwrap_or(T::zero()))
     }
 
     /// Right-hand side and residual sum of squares of the second step with `k` put in.
-    #[inline(always)]
+    #[inline]
     fn given<T: Real>(&self, second: &Factor<T, S>, k: &[T; F]) -> ([T; S], T) {
         let (own, k) = (self.own_count.min(S), self.given_of(k));
         let (mut rest, mut rss) = (second.q, second.rss);

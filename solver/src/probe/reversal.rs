@@ -17,9 +17,9 @@ pub struct Reversal<T> {
 }
 
 impl<T: Real> Reversal<T> {
-    /// The offset (ox, oy), mm: (8) solved exactly.
+    /// The offset (ox, oy), mm: E(8) solved exactly.
     ///
-    /// With ρ the radius, (8) says that 2o is on a circle of radius ρ about p2 − p1 and on one about p3 − p1. Of the two
+    /// With ρ the radius, E(8) says that 2o is on a circle of radius ρ about p2 − p1 and on one about p3 − p1. Of the two
     /// places where these meet it is the one near zero.
     ///
     /// # Errors
@@ -38,7 +38,7 @@ impl<T: Real> Reversal<T> {
         Ok([half * (half * (ax + bx) - share * ey), half * (half * (ay + by) + share * ex)])
     }
 
-    /// The offset (ox, oy), mm, as if cos θ2 = sin θ3 = 1 (9): too small by o⊥²/ρ.
+    /// The offset (ox, oy), mm, as if cos θ2 = sin θ3 = 1, E(9): too small by o⊥²/ρ.
     pub fn small_angle(&self) -> [T; 2] {
         let [[dx, _], [_, dy]] = self.differences();
         [T::of(0.5) * (dx - self.radius), T::of(0.5) * (dy - self.radius)]
@@ -50,7 +50,7 @@ impl<T: Real> Reversal<T> {
     /// shifts both.
     ///
     /// # Errors
-    /// As [`exact`](Self::exact); [`ProbeError::BeyondRing`] also where (8) is singular.
+    /// As [`exact`](Self::exact); [`ProbeError::BeyondRing`] also where E(8) is singular.
     pub fn covariance(&self, touch: T, radius: T) -> Result<[[T; 2]; 2], ProbeError> {
         let [[ax, ay], [bx, by]] = self.differences();
         let two = T::of(2.0);

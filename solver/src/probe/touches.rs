@@ -37,7 +37,7 @@ pub struct OffsetFit<T> {
     pub residual_std: T,
 }
 
-/// Fits |pᵢ + Rot(turnedᵢ)·o − c| = ρ for the offset o, the centre c and the radius ρ: (8) for all touches together,
+/// Fits |pᵢ + Rot(turnedᵢ)·o − c| = ρ for the offset o, the centre c and the radius ρ: E(8) for all touches together,
 /// without an approximation. `sigma` is the standard deviation of one touch, mm, for the covariance.
 ///
 /// # Errors

@@ -43,7 +43,7 @@ impl From<FrameName> for Coordinates {
 /// What φ is counted from where the tool does not point as at home.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum TiltedName {
-    /// From the machine's x axis seen along the tool: (7) as it stands.
+    /// From the machine's x axis seen along the tool: E(7) as it stands.
     Projected,
     /// From home's orientation carried to the tool's direction by the smallest rotation.
     Carried,

@@ -26,7 +26,7 @@ pub struct DrmArguments {
     /// Half the side of the map, mm.
     #[arg(long, value_name = "MM", default_value_t = 500.0)]
     reach: f64,
-    /// Fits the quintic (10) around a ring: its centre in machine coordinates.
+    /// Fits the quintic E(10) around a ring: its centre in machine coordinates.
     #[arg(long, value_name = "X,Y,Z", value_parser = numbers::<3>, allow_hyphen_values = true)]
     ring: Option<[f64; 3]>,
     /// The ring's diameter, mm.

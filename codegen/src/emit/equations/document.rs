@@ -64,7 +64,7 @@ impl<'a> Document<'a> {
         if self.printer.style == Style::Latex { format!("\\Delta {letter}") } else { format!("Δ{letter}") }
     }
 
-    /// A run's linear reading with equal factors collected: `s·(d_yy + d_yz − d_ya) + c·(…) + …`, eq. (5).
+    /// A run's linear reading with equal factors collected: `s·(d_yy + d_yz − d_ya) + c·(…) + …`, T(5).
     pub fn reading(&self, run: &DerivedRun) -> String {
         let mut groups: Vec<(Poly, Vec<(bool, ErrorId)>)> = Vec::new();
         for (errors, coefficient) in run.reading.by_errors() {
@@ -125,7 +125,7 @@ impl<'a> Document<'a> {
         }
     }
 
-    /// A run's model equation, eqs. (7) and (9): known functions, then the base parameters.
+    /// A run's model equation, T(7) and T(9): known functions, then the base parameters.
     pub fn equation(&self, run: &DerivedRun) -> String {
         let known: Vec<(Fraction, String)> = run
             .known
@@ -152,7 +152,7 @@ impl<'a> Document<'a> {
         functions.filter_map(|f| Some((Fraction::whole(coefficient(f.error)?.1), self.error(f.error)))).collect()
     }
 
-    /// An error's function written out in its coefficients, eqs. (6) and (10), of the coordinate `x`; `None` if it is not one.
+    /// An error's function written out in its coefficients, T(6) and T(10), of the coordinate `x`; `None` if it is not one.
     pub fn function(&self, id: FunctionId, x: &str) -> Option<String> {
         let f = &self.model.functions[id];
         let prefix = self.model.alphabet.error_name(f.error);
