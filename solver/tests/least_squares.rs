@@ -123,43 +123,6 @@ fn a_functional_has_the_variance_of_the_coefficients() {
     assert_eq!(fit.variance_of(&SVector::from_element(f64::NAN)), None);
 }
 
-/// The same as fitting `y − K k` to the first columns alone, with the covariance of k carried through by hand.
-#[test]
-fn given_coefficients_are_substituted_with_their_covariance() {
-    let data = samples(60, 5);
-    let k = SVector::from([0.7, -1.3, 0.2]);
-    let root = SMatrix::<f64, 3, 3>::new(0.1, 0.02, -0.03, 0.0, 0.2, 0.05, 0.0, 0.0, 0.15);
-    let cov_k = root * root.transpose();
-    let fit = factor_of(&data).solve_given::<2, 3>(&k, &cov_k).unwrap();
-
-    let mut alone = Factor::<f64, 2>::new();
-    for (x, y) in &data {
-        let rest = y - x.fixed_rows::<3>(2).dot(&k);
-        alone.push(&x.fixed_rows::<2>(0).into_owned(), rest).unwrap();
-    }
-    let alone = alone.solve().unwrap();
-    assert_near(&fit.coefficients, &alone.coefficients);
-    assert!((fit.residual_std / alone.residual_std - 1.0).abs() < 1e-11);
-    assert_eq!(fit.degrees_of_freedom, 58);
-
-    let (x, _) = dense(&data);
-    let gain = -x.columns(0, 2).into_owned().svd(true, true).solve(&x.columns(2, 3).into_owned(), 0.0).unwrap();
-    let gain = gain.fixed_view::<2, 3>(0, 0).into_owned();
-    assert_near(&fit.covariance, &(alone.covariance + gain * cov_k * gain.transpose()));
-    assert!(factor_of(&data).solve_given::<2, 3>(&SVector::from_element(f64::INFINITY), &cov_k).is_err());
-    assert!(factor_of(&data).solve_given::<2, 3>(&k, &SMatrix::from_element(f64::NAN)).is_err());
-}
-
-#[test]
-fn the_given_columns_need_not_be_independent() {
-    let data: Vec<Sample> =
-        samples(20, 6).into_iter().map(|(x, y)| ([x[0], x[1], x[2], x[2], 0.0].into(), y)).collect();
-    let factor = factor_of(&data);
-    assert!(matches!(factor.solve(), Err(SolveError::RankDeficient(_))));
-    assert!(factor.solve_given::<2, 3>(&SVector::zeros(), &SMatrix::zeros()).is_ok());
-    assert!(factor.condition().is_err() && factor.condition_of_first::<3>().is_ok());
-}
-
 #[test]
 fn bad_samples_are_refused_and_leave_no_trace() {
     let data = samples(10, 7);

@@ -1,6 +1,7 @@
 //! `trunnion demo`: the paper in one command.
 
-use super::{Refused, monte_carlo, print};
+use super::output::print;
+use super::{Refused, monte_carlo};
 use clap::Args;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

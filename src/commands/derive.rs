@@ -1,8 +1,9 @@
 //! `trunnion derive`: equations, base parameters and source code of a model.
 
+use super::Refused;
 use super::model::{load, setup};
+use super::output::print;
 use super::predicted::{Measuring, prediction};
-use super::{Refused, print};
 use clap::{Args, ValueEnum};
 use trunnion::data::Radius;
 use trunnion::study::SetupError;

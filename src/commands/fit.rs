@@ -1,8 +1,10 @@
 //! `trunnion fit`: errors and their uncertainty from measurement files.
 
 use super::model::ModelArguments;
+use super::output::print;
+use super::pair::pair;
 use super::simulated::limits;
-use super::{Refused, document, pair, print};
+use super::{Refused, document};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use trunnion::data::RunFiles;

@@ -17,6 +17,3 @@ mod refused;
 mod simulated;
 
 pub use refused::Refused;
-
-use output::print;
-use pair::pair;

@@ -1,6 +1,7 @@
 //! The MODEL argument and the lengths of its set-up.
 
-use super::{Refused, pair};
+use super::Refused;
+use super::pair::pair;
 use clap::Args;
 use std::io::IsTerminal;
 use std::path::Path;

@@ -2,8 +2,9 @@
 
 use super::fit::Combine;
 use super::model::ModelArguments;
+use super::output::print;
 use super::simulated::SimulationArguments;
-use super::{Refused, document, print};
+use super::{Refused, document};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;

@@ -1,4 +1,4 @@
-//! What a command prints.
+//! Standard output.
 
 use super::Refused;
 use std::io::{self, Write};

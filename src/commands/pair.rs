@@ -1,6 +1,6 @@
 //! Arguments of the form `NAME=…`.
 
-/// The two parts.
+/// `NAME=…` as its two parts.
 pub fn pair(given: &str) -> Option<(&str, &str)> {
     given.split_once('=')
 }

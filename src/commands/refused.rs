@@ -1,5 +1,6 @@
 //! Why a command was refused: one message, exit code 2.
 
+use super::pair::pair;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -60,7 +61,7 @@ impl Refused {
             WeightError::UnknownRun { run, runs } => Self::UnknownRun(run.clone(), runs.join(", ")),
             WeightError::Twice(run) => Self::WeightTwice(run.clone()),
             WeightError::OutOfRange(run, _) => {
-                let of_run = |given: &&String| super::pair(given).is_some_and(|(name, _)| name == run);
+                let of_run = |given: &&String| pair(given).is_some_and(|(name, _)| name == run);
                 Self::Weight(given.iter().find(of_run).unwrap_or(run).clone())
             }
             other => Self::Weight(other.to_string()),

@@ -146,6 +146,8 @@ impl Table {
     /// Writes a table of `functions`: for each line the angle in rad and the functions' values in mm or rad, written in
     /// degrees, µm and µrad. Reading gives back each value that has a decimal there ([`Unit::decimal`]).
     ///
+    /// [`Unit::decimal`]: trunnion_codegen::quantity::Unit::decimal
+    ///
     /// # Errors
     /// [`WriteError`] where the file cannot be written, a value is not finite, or a line has too few or many values.
     pub fn write(

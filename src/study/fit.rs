@@ -1,14 +1,15 @@
 //! The two estimators for any model and any set of runs.
 //!
 //! *Joint*: all runs in one least-squares problem. *Two-step*, the paper's: the runs without an estimated function first,
-//! then the others with those coefficients put in; their covariance is carried along: with e = P₁(y₁ − K k) and
-//! G = −P₁K, `cov e = s₁² (E'E)⁻¹ + G cov k G'`.
+//! then the others with those coefficients put in, their covariance carried along
+//! ([`Order`](trunnion_solver::lstsq::Order)).
 
-use super::least_squares::{self, Separation, Solved, Unsolved};
+use super::least_squares::{self, Accumulate, Columns, Separation, Unsolved};
 use super::setup::Setup;
 use super::weights::Weights;
 use nalgebra::{DMatrix, DVector};
 use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
+use trunnion_solver::lstsq::Step;
 
 /// How the runs are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -105,19 +106,10 @@ pub struct Fit {
     pub rms: Vec<f64>,
     /// How well the samples separate the base parameters.
     pub separation: Separation,
+    /// The step of each observation.
     steps: Vec<Step>,
-}
-
-/// A least-squares problem: unknown `columns` from `observations`, `given` columns from the step before.
-#[derive(Clone, Debug)]
-struct Step {
-    observations: Vec<usize>,
-    columns: Vec<BaseId>,
-    given: Vec<BaseId>,
-    /// (E'WE)⁻¹
-    inverse: DMatrix<f64>,
-    /// ∂columns/∂given
-    gain: DMatrix<f64>,
+    /// By how much a sample of each step moves the base parameters, in the order of `base`.
+    sensitivity: [DMatrix<f64>; 2],
 }
 
 /// Fits `observations`; each run at most once.
@@ -138,142 +130,113 @@ pub fn fit_with(
     estimator: Estimator,
     variance: Variance,
 ) -> Result<Fit, FitError> {
-    let sees_function = |o: &Observation| {
-        setup.derivation.runs[o.run].regressors.iter().any(|(b, _)| setup.derivation.base[*b].estimates.is_some())
-    };
-    let all: Vec<usize> = (0..observations.len()).collect();
-    let plan: Vec<Vec<usize>> = match estimator {
-        Estimator::Joint => vec![all],
-        Estimator::TwoStep => {
-            let (second, first): (Vec<_>, Vec<_>) = all.into_iter().partition(|&i| sees_function(&observations[i]));
-            if first.is_empty() {
-                return Err(FitError::NoFirstStep);
-            }
-            vec![first, second]
-        }
-    };
-    let base_count = setup.derivation.base.len();
-    let mut values = DVector::zeros(base_count);
-    let mut covariance = DMatrix::zeros(base_count, base_count);
-    let at = |row: BaseId, column: BaseId| (usize::from(row), usize::from(column));
-    let mut steps: Vec<Step> = Vec::new();
-    let mut separation = Separation { condition: 1.0, weakest: Vec::new() };
-    let mut degrees_of_freedom = 0;
-    for members in plan.into_iter().filter(|m| !m.is_empty()) {
-        let known: Vec<BaseId> = steps.iter().flat_map(|s| s.columns.iter().copied()).collect();
-        let (step, solved) = solve(setup, observations, members, &known, &values)?;
-        degrees_of_freedom = solved.samples.saturating_sub(step.columns.len() as u32);
-        let variance = match variance {
-            Variance::Residual => solved.rss / f64::from(degrees_of_freedom),
-            Variance::Known(std) => std * std,
-        };
-        let given =
-            DMatrix::from_fn(step.given.len(), step.given.len(), |i, j| covariance[at(step.given[i], step.given[j])]);
-        let cross = &step.gain * &given;
-        let own = &step.inverse * variance + &cross * step.gain.transpose();
-        for (i, &b) in step.columns.iter().enumerate() {
-            values[usize::from(b)] = solved.coefficients[i];
-            for (j, &c) in step.columns.iter().enumerate() {
-                covariance[at(b, c)] = own[(i, j)];
-            }
-            for (j, &c) in step.given.iter().enumerate() {
-                covariance[at(b, c)] = cross[(i, j)];
-                covariance[at(c, b)] = cross[(i, j)];
-            }
-        }
-        let (condition, weakest) = solved.condition;
-        if condition > separation.condition {
-            separation = Separation { condition, weakest: weakest.iter().map(|&i| step.columns[i]).collect() };
-        }
-        steps.push(step);
+    let steps = steps(setup, observations, estimator)?;
+    let (base, columns) = columns(setup, observations, &steps);
+    let mut problem = least_squares::accumulator(&columns).ok_or(FitError::TooManyCoefficients(base.len()))?;
+    for (observation, &step) in observations.iter().zip(&steps) {
+        push(setup, observation, step, &base, &columns.of(step), problem.as_mut())?;
     }
-    let mut base: Vec<BaseId> = steps.iter().flat_map(|s| s.columns.iter().copied()).collect();
-    base.sort_unstable();
-    let rms = observations.iter().map(|o| rms(setup, o, &values)).collect();
-    Ok(Fit {
-        estimator,
-        values: DVector::from_iterator(base.len(), base.iter().map(|&b| values[usize::from(b)])),
-        covariance: DMatrix::from_fn(base.len(), base.len(), |i, j| covariance[at(base[i], base[j])]),
-        base,
-        degrees_of_freedom,
-        rms,
-        separation,
-        steps,
-    })
-}
-
-fn solve(
-    setup: &Setup,
-    observations: &[Observation],
-    members: Vec<usize>,
-    known: &[BaseId],
-    values: &DVector<f64>,
-) -> Result<(Step, Solved), FitError> {
-    let seen = |b: &BaseId| {
-        members.iter().any(|&m| setup.derivation.runs[observations[m].run].regressors.iter().any(|(c, _)| c == b))
+    let sigma = match variance {
+        Variance::Residual => None,
+        Variance::Known(std) => Some(std),
     };
-    let (given, columns): (Vec<BaseId>, Vec<BaseId>) =
-        setup.derivation.base.keys().filter(seen).partition(|b| known.contains(b));
-    let too_many = FitError::TooManyCoefficients(columns.len());
-    let mut factor = least_squares::factor(columns.len()).ok_or_else(|| too_many.clone())?;
-    // One further factor per given column: its regression on the unknown columns is the gain.
-    let mut gains =
-        given.iter().map(|_| least_squares::factor(columns.len())).collect::<Option<Vec<_>>>().ok_or(too_many)?;
-    let mut row = vec![0.0; columns.len()];
-    for &m in &members {
-        let observation = &observations[m];
-        let place = |list: &[BaseId]| -> Vec<Option<usize>> {
-            let regressors = setup.derivation.runs[observation.run].regressors.iter();
-            regressors.map(|(b, _)| list.iter().position(|c| c == b)).collect()
-        };
-        let (own, fixed) = (place(&columns), place(&given));
-        let mut evaluator = setup.row(observation.run);
-        for sample in &observation.samples {
-            let (regressors, factors) = evaluator.at(sample.sweep);
-            row.fill(0.0);
-            let mut y = sample.reading - factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum::<f64>();
-            for ((&x, at), k) in regressors.iter().zip(&own).zip(&fixed) {
-                if let Some(at) = at {
-                    row[*at] = x;
-                }
-                if let Some(k) = k {
-                    y -= x * values[usize::from(given[*k])];
-                }
-            }
-            factor.push(&row, y, observation.weight).map_err(|_| FitError::NotFinite)?;
-            for (&x, k) in regressors.iter().zip(&fixed) {
-                if let Some(k) = k {
-                    gains[*k].push(&row, -x, observation.weight).map_err(|_| FitError::NotFinite)?;
-                }
-            }
+    let named = |coefficients: &[usize]| coefficients.iter().map(|&i| base[i]).collect::<Vec<_>>();
+    let runs = |step: Step| observations.iter().zip(&steps).filter(|(_, s)| **s == step).map(|(o, _)| o.run).collect();
+    let solved = problem.solve(sigma).map_err(|e| match e {
+        Unsolved::TooFew { step, samples, needed } => {
+            FitError::TooFewSamples { runs: runs(step), samples: samples as usize, needed }
         }
-    }
-    let runs = || members.iter().map(|&m| observations[m].run).collect::<Vec<_>>();
-    let named = |e: Unsolved| match e {
-        Unsolved::TooFew { samples, needed } => {
-            FitError::TooFewSamples { runs: runs(), samples: samples as usize, needed }
-        }
-        Unsolved::Confounded { columns: c, .. } => {
-            FitError::Confounded { runs: runs(), base: c.iter().map(|&i| columns[i]).collect() }
+        Unsolved::Confounded { step, coefficients } => {
+            FitError::Confounded { runs: runs(step), base: named(&coefficients) }
         }
         Unsolved::NotFinite => FitError::NotFinite,
+    })?;
+    let (condition, weakest) = solved.condition;
+    let mut fit = Fit {
+        estimator,
+        separation: Separation { condition, weakest: named(&weakest) },
+        base,
+        values: solved.coefficients,
+        covariance: solved.covariance,
+        degrees_of_freedom: solved.degrees_of_freedom,
+        rms: Vec::new(),
+        steps,
+        sensitivity: solved.sensitivity,
     };
-    let solved = factor.solve().map_err(named)?;
-    let mut gain = DMatrix::zeros(columns.len(), given.len());
-    for (k, factor) in gains.iter().enumerate() {
-        gain.set_column(k, &factor.solve().map_err(named)?.coefficients);
-    }
-    let step = Step { observations: members.clone(), inverse: solved.inverse.clone(), columns, given, gain };
-    Ok((step, solved))
+    fit.rms = observations.iter().map(|o| rms(setup, o, &fit)).collect();
+    Ok(fit)
 }
 
-fn rms(setup: &Setup, observation: &Observation, values: &DVector<f64>) -> f64 {
-    let regressors = &setup.derivation.runs[observation.run].regressors;
+/// The step of each observation: those that see an estimated function come second.
+fn steps(setup: &Setup, observations: &[Observation], estimator: Estimator) -> Result<Vec<Step>, FitError> {
+    let base = &setup.derivation.base;
+    let sees_function =
+        |o: &Observation| setup.derivation.runs[o.run].regressors.iter().any(|(b, _)| base[*b].estimates.is_some());
+    match estimator {
+        Estimator::Joint => Ok(vec![Step::First; observations.len()]),
+        Estimator::TwoStep if observations.iter().all(sees_function) => Err(FitError::NoFirstStep),
+        Estimator::TwoStep => {
+            Ok(observations.iter().map(|o| if sees_function(o) { Step::Second } else { Step::First }).collect())
+        }
+    }
+}
+
+/// The base parameters that the observations see, and which of them are the columns of each step.
+fn columns(setup: &Setup, observations: &[Observation], steps: &[Step]) -> (Vec<BaseId>, Columns) {
+    let seen = |step: Step, b: BaseId| {
+        let of = observations.iter().zip(steps).filter(|(_, s)| **s == step);
+        of.into_iter().any(|(o, _)| setup.derivation.runs[o.run].regressors.iter().any(|(c, _)| *c == b))
+    };
+    let mut columns = Columns::default();
+    let mut base = Vec::new();
+    for b in setup.derivation.base.keys() {
+        let (first, second) = (seen(Step::First, b), seen(Step::Second, b));
+        if first || second {
+            let lists = [
+                (first, &mut columns.first),
+                (second && !first, &mut columns.own),
+                (first && second, &mut columns.given),
+            ];
+            lists.into_iter().filter(|(is, _)| *is).for_each(|(_, list)| list.push(base.len()));
+            base.push(b);
+        }
+    }
+    (base, columns)
+}
+
+/// Takes the samples of an observation; `columns` are positions in `base`.
+fn push(
+    setup: &Setup,
+    observation: &Observation,
+    step: Step,
+    base: &[BaseId],
+    columns: &[usize],
+    problem: &mut dyn Accumulate,
+) -> Result<(), FitError> {
+    let regressors = setup.derivation.runs[observation.run].regressors.iter();
+    let places: Vec<Option<usize>> = regressors.map(|(b, _)| columns.iter().position(|&c| base[c] == *b)).collect();
+    let mut row = vec![0.0; columns.len()];
+    let mut evaluator = setup.row(observation.run);
+    for sample in &observation.samples {
+        let (regressors, factors) = evaluator.at(sample.sweep);
+        for (&x, place) in regressors.iter().zip(&places) {
+            if let Some(at) = place {
+                row[*at] = x;
+            }
+        }
+        let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
+        problem.push(step, &row, sample.reading - known, observation.weight).map_err(|_| FitError::NotFinite)?;
+    }
+    Ok(())
+}
+
+fn rms(setup: &Setup, observation: &Observation, fit: &Fit) -> f64 {
+    let places = fit.places(setup, observation);
     let mut evaluator = setup.row(observation.run);
     let square = |sample: &Sample| {
         let (row, factors) = evaluator.at(sample.sweep);
         let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
-        let model: f64 = row.iter().zip(regressors).map(|(x, (b, _))| x * values[usize::from(*b)]).sum();
+        let model: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * fit.values[(*at)?])).sum();
         (sample.reading - known - model).powi(2)
     };
     let sum: f64 = observation.samples.iter().map(square).sum();
@@ -289,43 +252,39 @@ impl Fit {
 
     /// How the value of a function at `x` depends on each reading.
     pub fn sensitivity(&self, setup: &Setup, observations: &[Observation], function: FunctionId, x: f64) -> Weights {
-        self.backwards(
-            setup,
-            observations,
-            self.expand(&self.functional(setup, function, x), setup.derivation.base.len()),
-        )
+        self.weights(setup, observations, &self.functional(setup, function, x))
     }
 
     /// How a base parameter depends on each reading.
     pub fn coefficient_sensitivity(&self, setup: &Setup, observations: &[Observation], base: BaseId) -> Weights {
-        let mut one = DVector::zeros(setup.derivation.base.len());
-        one[usize::from(base)] = 1.0;
-        self.backwards(setup, observations, one)
+        let mut one = DVector::zeros(self.base.len());
+        if let Ok(at) = self.base.binary_search(&base) {
+            one[at] = 1.0;
+        }
+        self.weights(setup, observations, &one)
     }
 
-    fn backwards(&self, setup: &Setup, observations: &[Observation], mut weight: DVector<f64>) -> Weights {
-        // Backwards through the steps: what a later step makes of its given columns counts for the step before.
-        let mut of = vec![Vec::new(); observations.len()];
-        for step in self.steps.iter().rev() {
-            let own = DVector::from_iterator(step.columns.len(), step.columns.iter().map(|&b| weight[usize::from(b)]));
-            for (k, &b) in step.given.iter().enumerate() {
-                weight[usize::from(b)] += step.gain.column(k).dot(&own);
-            }
-            let u = &step.inverse * own;
-            for &o in &step.observations {
-                let observation = &observations[o];
-                let regressors = &setup.derivation.runs[observation.run].regressors;
-                let place: Vec<Option<usize>> =
-                    regressors.iter().map(|(b, _)| step.columns.iter().position(|c| c == b)).collect();
-                let mut evaluator = setup.row(observation.run);
-                let one = |s: &Sample| {
-                    let (row, _) = evaluator.at(s.sweep);
-                    row.iter().zip(&place).filter_map(|(x, p)| Some(x * u[(*p)?])).sum::<f64>() * observation.weight
-                };
-                of[o] = observation.samples.iter().map(one).collect();
-            }
-        }
-        Weights(of)
+    /// How `functional · base parameters` depends on each reading.
+    fn weights(&self, setup: &Setup, observations: &[Observation], functional: &DVector<f64>) -> Weights {
+        let moved = self.sensitivity.each_ref().map(|by| by.tr_mul(functional));
+        let of = observations.iter().zip(&self.steps).map(|(observation, step)| {
+            let moved = &moved[usize::from(*step == Step::Second)];
+            let places = self.places(setup, observation);
+            let mut evaluator = setup.row(observation.run);
+            let one = |s: &Sample| {
+                let (row, _) = evaluator.at(s.sweep);
+                let sum: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * moved[(*at)?])).sum();
+                sum * observation.weight
+            };
+            observation.samples.iter().map(one).collect()
+        });
+        Weights(of.collect())
+    }
+
+    /// Where the base parameters that an observation sees are in `base`.
+    fn places(&self, setup: &Setup, observation: &Observation) -> Vec<Option<usize>> {
+        let regressors = setup.derivation.runs[observation.run].regressors.iter();
+        regressors.map(|(b, _)| self.base.binary_search(b).ok()).collect()
     }
 
     fn functional(&self, setup: &Setup, function: FunctionId, x: f64) -> DVector<f64> {
@@ -336,13 +295,5 @@ impl Fit {
             }
         }
         g
-    }
-
-    fn expand(&self, g: &DVector<f64>, size: usize) -> DVector<f64> {
-        let mut all = DVector::zeros(size);
-        for (&b, v) in self.base.iter().zip(g.iter()) {
-            all[usize::from(b)] = *v;
-        }
-        all
     }
 }

@@ -1,11 +1,11 @@
-//! The solver's factor for a number of coefficients known only at run time.
+//! The solver's estimators for a number of coefficients known only at run time.
 //!
-//! The factor is of fixed size, as in a controller; here one is chosen by its size, so that a model read at run time is
-//! fitted by the same code.
+//! A factor is of fixed size, as in a controller; here one is chosen by its size, so that a model read at run time is fitted by
+//! the same code.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use trunnion_codegen::ids::BaseId;
-use trunnion_solver::lstsq::{Factor, Rejected, SolveError};
+use trunnion_solver::lstsq::{Condition, Factor, Order, Rejected, Solution, SolveError, Step, TwoStepError};
 
 /// The largest number of coefficients.
 pub const LARGEST: usize = 64;
@@ -19,67 +19,156 @@ pub struct Separation {
     pub weakest: Vec<BaseId>,
 }
 
-/// Coefficients, and their covariance for readings of standard deviation 1 mm.
+/// Which coefficients are the columns of each step: of one alone, all are the first's.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Columns {
+    pub first: Vec<usize>,
+    /// Only the second step sees these.
+    pub own: Vec<usize>,
+    /// The first step gives these to the second.
+    pub given: Vec<usize>,
+}
+
+impl Columns {
+    /// The columns of a step's rows.
+    pub fn of(&self, step: Step) -> Vec<usize> {
+        match step {
+            Step::First => self.first.clone(),
+            Step::Second => [self.own.as_slice(), &self.given].concat(),
+        }
+    }
+}
+
+/// An estimate of all coefficients.
 pub(super) struct Solved {
     pub coefficients: DVector<f64>,
-    pub inverse: DMatrix<f64>,
-    pub rss: f64,
-    pub samples: u32,
-    /// Condition number of the design, columns scaled, and the columns that are separated worst.
+    pub covariance: DMatrix<f64>,
+    /// Of the residuals of the last step.
+    pub degrees_of_freedom: u32,
+    /// By how much a sample's reading moves the coefficients: `w · sensitivity[step] · row`.
+    pub sensitivity: [DMatrix<f64>; 2],
+    /// Condition number of the design, columns scaled, and the coefficients that are separated worst.
     pub condition: (f64, Vec<usize>),
 }
 
-/// Why there is no solution; columns are positions in the row.
+/// Why there is no solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Unsolved {
-    TooFew { samples: u32, needed: usize },
-    Confounded { columns: Vec<usize>, rank: usize },
+    TooFew { step: Step, samples: u32, needed: usize },
+    Confounded { step: Step, coefficients: Vec<usize> },
     NotFinite,
 }
 
-/// A factor of some size.
-pub(super) trait Accumulate: Send {
-    fn push(&mut self, row: &[f64], y: f64, weight: f64) -> Result<(), Rejected>;
-    fn solve(&self) -> Result<Solved, Unsolved>;
+impl Unsolved {
+    fn of<const P: usize>(step: Step, error: SolveError<P>) -> Self {
+        match error {
+            SolveError::TooFewSamples { samples, needed } => Self::TooFew { step, samples, needed },
+            SolveError::RankDeficient(c) => Self::Confounded { step, coefficients: c.involved.iter().collect() },
+            SolveError::NotFinite => Self::NotFinite,
+        }
+    }
 }
 
-impl<const P: usize> Accumulate for Factor<f64, P> {
-    fn push(&mut self, row: &[f64], y: f64, weight: f64) -> Result<(), Rejected> {
-        self.push_weighted(&SVector::from_fn(|i, _| row.get(i).copied().unwrap_or(0.0)), y, weight)
+/// An estimator of some size.
+pub(super) trait Accumulate: Send {
+    /// Takes a sample of a step; `row` is in the order of [`Columns::of`].
+    fn push(&mut self, step: Step, row: &[f64], y: f64, weight: f64) -> Result<(), Rejected>;
+    /// The estimate; `sigma` is the standard deviation of a reading of weight one, if it is known.
+    fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved>;
+}
+
+fn row<const P: usize>(row: &[f64]) -> SVector<f64, P> {
+    SVector::from_fn(|i, _| row.get(i).copied().unwrap_or(0.0))
+}
+
+fn solved<const P: usize>(
+    solution: Solution<f64, P>,
+    condition: Condition<f64, P>,
+    sensitivity: [SMatrix<f64, P, P>; 2],
+) -> Solved {
+    let matrix = |m: &SMatrix<f64, P, P>| DMatrix::from_iterator(P, P, m.iter().copied());
+    Solved {
+        coefficients: DVector::from_iterator(P, solution.coefficients.iter().copied()),
+        covariance: matrix(&solution.covariance),
+        degrees_of_freedom: solution.degrees_of_freedom,
+        sensitivity: sensitivity.each_ref().map(matrix),
+        condition: (condition.number, condition.weakest.iter().collect()),
+    }
+}
+
+/// Uncertainty needs a sample more than there are coefficients, even where the readings' own is known.
+fn enough(step: Step, samples: u32, columns: usize) -> Result<(), Unsolved> {
+    if samples as usize > columns { Ok(()) } else { Err(Unsolved::TooFew { step, samples, needed: columns + 1 }) }
+}
+
+/// All runs in one problem.
+struct OneStep<const P: usize>(Factor<f64, P>);
+
+impl<const P: usize> Accumulate for OneStep<P> {
+    fn push(&mut self, _: Step, sample: &[f64], y: f64, weight: f64) -> Result<(), Rejected> {
+        self.0.push_weighted(&row(sample), y, weight)
     }
 
-    fn solve(&self) -> Result<Solved, Unsolved> {
-        let unsolved = |e: SolveError<P>| match e {
-            SolveError::TooFewSamples { samples, needed } => Unsolved::TooFew { samples, needed },
-            SolveError::RankDeficient(c) => Unsolved::Confounded { columns: c.involved.iter().collect(), rank: c.rank },
-            SolveError::NotFinite => Unsolved::NotFinite,
-        };
-        if (self.samples() as usize) <= P {
-            return Err(Unsolved::TooFew { samples: self.samples(), needed: P + 1 });
-        }
-        let solution = self.solve_with_sigma(1.0).map_err(unsolved)?;
-        let condition = self.condition().map_err(unsolved)?;
-        Ok(Solved {
-            coefficients: DVector::from_iterator(P, solution.coefficients.iter().copied()),
-            inverse: DMatrix::from_iterator(P, P, solution.covariance.iter().copied()),
-            rss: self.residual_sum_of_squares(),
-            samples: self.samples(),
-            condition: (condition.number, condition.weakest.iter().collect()),
-        })
+    fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
+        let Self(factor) = self;
+        let unsolved = |e| Unsolved::of(Step::First, e);
+        enough(Step::First, factor.samples(), P)?;
+        let unit = factor.solve_with_sigma(1.0).map_err(unsolved)?.covariance;
+        let solution =
+            sigma.map_or_else(|| factor.solve(), |sigma| factor.solve_with_sigma(sigma)).map_err(unsolved)?;
+        Ok(solved(solution, factor.condition().map_err(unsolved)?, [unit, SMatrix::zeros()]))
     }
+}
+
+/// Two problems, the second with what the first gives.
+struct TwoSteps<const P: usize> {
+    order: Order<P, P, P>,
+    first: Factor<f64, P>,
+    second: Factor<f64, P>,
+}
+
+impl<const P: usize> Accumulate for TwoSteps<P> {
+    fn push(&mut self, step: Step, sample: &[f64], y: f64, weight: f64) -> Result<(), Rejected> {
+        let factor = if step == Step::First { &mut self.first } else { &mut self.second };
+        factor.push_weighted(&row(sample), y, weight)
+    }
+
+    fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
+        let Self { order, first, second } = self;
+        let unsolved = |e: TwoStepError<P>| Unsolved::of(e.step, e.why);
+        enough(Step::First, first.samples(), order.first().len())?;
+        enough(Step::Second, second.samples(), order.own().len())?;
+        let solution = match sigma {
+            None => order.solve(first, second),
+            Some(sigma) => order.solve_with_sigma(first, second, sigma),
+        };
+        let solution = solution.map_err(unsolved)?;
+        let sensitivity = order.sensitivity(first, second).map_err(unsolved)?;
+        let condition = order.condition(first, second).map_err(unsolved)?;
+        Ok(solved(solution, condition, [sensitivity.first, sensitivity.second]))
+    }
+}
+
+fn estimator<const P: usize>(columns: &Columns) -> Option<Box<dyn Accumulate>> {
+    if columns.own.is_empty() {
+        return Some(Box::new(OneStep::<P>(Factor::<f64, P>::new())));
+    }
+    let order = Order::<P, P, P>::new(&columns.first, &columns.own, &columns.given).ok()?;
+    Some(Box::new(TwoSteps::<P> { order, first: Factor::<f64, P>::new(), second: Factor::<f64, P>::new() }))
 }
 
 macro_rules! of_size {
-    ($size:expr, $($n:literal)*) => {
+    ($size:expr, $columns:expr, $($n:literal)*) => {
         match $size {
-            $($n => Some(Box::new(Factor::<f64, $n>::new())),)*
+            $($n => estimator::<$n>($columns),)*
             _ => None,
         }
     };
 }
 
-/// An empty factor for `size` coefficients; `None` for none or more than [`LARGEST`].
-pub(super) fn factor(size: usize) -> Option<Box<dyn Accumulate>> {
-    of_size!(size, 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32
+/// An estimator without samples for these columns, each coefficient one; `None` for none or more than [`LARGEST`].
+pub(super) fn accumulator(columns: &Columns) -> Option<Box<dyn Accumulate>> {
+    of_size!(columns.first.len() + columns.own.len(), columns,
+        1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32
         33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63 64)
 }

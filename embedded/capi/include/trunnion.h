@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 /*
- Room for the coefficients of any estimator here: those of the joint one.
+ Number of coefficients.
  */
 #define TRUNNION_COEFFICIENTS 13
 
@@ -97,7 +97,7 @@ typedef int32_t TrunnionStatus;
 /*
  Coefficients with standard deviations in C's layout. The first two are those of ε_xa.
 
- Joint: e_xa1, e_xa2, k1 … k11. Two-step: e_xa1, e_xa2, k6, k7, k8.
+ In order: e_xa1, e_xa2, k1 … k11.
  */
 typedef struct {
   /*
@@ -109,7 +109,7 @@ typedef struct {
    */
   uint32_t count;
   /*
-   Samples less coefficients.
+   Samples less coefficients; of the two steps, those of the second.
    */
   uint32_t degrees_of_freedom;
   /*
@@ -159,7 +159,7 @@ typedef struct {
 /*
  Coefficients with standard deviations in C's layout. The first two are those of ε_xa.
 
- Joint: e_xa1, e_xa2, k1 … k11. Two-step: e_xa1, e_xa2, k6, k7, k8.
+ In order: e_xa1, e_xa2, k1 … k11.
  */
 typedef struct {
   /*
@@ -171,7 +171,7 @@ typedef struct {
    */
   uint32_t count;
   /*
-   Samples less coefficients.
+   Samples less coefficients; of the two steps, those of the second.
    */
   uint32_t degrees_of_freedom;
   /*

@@ -3,8 +3,8 @@
 use crate::estimate::{failure, give};
 use crate::state::{State, copied, fits, init, with_mut};
 use crate::status::status;
-use crate::{TrunnionEstimateF32, TrunnionEstimateF64, TrunnionStatus};
-use trunnion_solver::tilting::Joint;
+use crate::{TrunnionEstimate, TrunnionStatus};
+use trunnion_solver::tilting::{Joint, Lengths};
 
 /// Size of the state in words of eight bytes.
 pub const TRUNNION_JOINT_F32_WORDS: usize = 100;
@@ -29,7 +29,7 @@ const _: () = assert!(fits::<TrunnionJointF32>());
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_joint_f32_init(state: *mut TrunnionJointF32, radius: f32) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { init(state, Joint::new(radius).map_err(Into::into)) }
+    unsafe { init(state, Joint::new(Lengths { r: radius })) }
 }
 
 /// Takes a sample of run 1 at the angle `a` (rad): the radial deviation and the known δ_ya and δ_za there, mm.
@@ -45,7 +45,7 @@ pub unsafe extern "C" fn trunnion_joint_f32_push_tilting(
     known_z: f32,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, [known_y, known_z]))) }
+    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, known_y, known_z))) }
 }
 
 /// Takes a sample of run 2 at the angle `a` (rad): the radial deviation, mm.
@@ -75,12 +75,7 @@ pub unsafe extern "C" fn trunnion_joint_f32_merge(
     match unsafe { copied(other) } {
         Err(status) => status,
         // SAFETY: as required here.
-        Ok(other) => unsafe {
-            with_mut(state, |fit| match fit.radius() == other.radius() {
-                true => status(fit.merge(&other)),
-                false => TrunnionStatus::DifferentRadius,
-            })
-        },
+        Ok(other) => unsafe { with_mut(state, |fit| status(fit.merge(&other))) },
     }
 }
 
@@ -91,7 +86,7 @@ pub unsafe extern "C" fn trunnion_joint_f32_merge(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_joint_f32_solve(
     state: *const TrunnionJointF32,
-    result: *mut TrunnionEstimateF32,
+    result: *mut TrunnionEstimate<f32>,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
     unsafe {
@@ -123,7 +118,7 @@ const _: () = assert!(fits::<TrunnionJointF64>());
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_joint_f64_init(state: *mut TrunnionJointF64, radius: f64) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { init(state, Joint::new(radius).map_err(Into::into)) }
+    unsafe { init(state, Joint::new(Lengths { r: radius })) }
 }
 
 /// Takes a sample of run 1 at the angle `a` (rad): the radial deviation and the known δ_ya and δ_za there, mm.
@@ -139,7 +134,7 @@ pub unsafe extern "C" fn trunnion_joint_f64_push_tilting(
     known_z: f64,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, [known_y, known_z]))) }
+    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, known_y, known_z))) }
 }
 
 /// Takes a sample of run 2 at the angle `a` (rad): the radial deviation, mm.
@@ -169,12 +164,7 @@ pub unsafe extern "C" fn trunnion_joint_f64_merge(
     match unsafe { copied(other) } {
         Err(status) => status,
         // SAFETY: as required here.
-        Ok(other) => unsafe {
-            with_mut(state, |fit| match fit.radius() == other.radius() {
-                true => status(fit.merge(&other)),
-                false => TrunnionStatus::DifferentRadius,
-            })
-        },
+        Ok(other) => unsafe { with_mut(state, |fit| status(fit.merge(&other))) },
     }
 }
 
@@ -185,7 +175,7 @@ pub unsafe extern "C" fn trunnion_joint_f64_merge(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_joint_f64_solve(
     state: *const TrunnionJointF64,
-    result: *mut TrunnionEstimateF64,
+    result: *mut TrunnionEstimate<f64>,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
     unsafe {

@@ -13,7 +13,7 @@ pub mod state;
 pub mod status;
 pub mod two_step;
 
-pub use estimate::{TrunnionEpsXaF32, TrunnionEpsXaF64, TrunnionEstimateF32, TrunnionEstimateF64};
+pub use estimate::{TrunnionEpsXa, TrunnionEstimate};
 pub use joint::{TrunnionJointF32, TrunnionJointF64};
 pub use status::TrunnionStatus;
 pub use two_step::{TrunnionTwoStepF32, TrunnionTwoStepF64};

@@ -39,9 +39,9 @@ pub(crate) fn check<T>(pointer: *const T) -> Result<(), TrunnionStatus> {
 ///
 /// # Safety
 /// `state` is null or points to a `S` that may be written.
-pub(crate) unsafe fn init<S: State>(state: *mut S, fit: Result<S::Fit, TrunnionStatus>) -> TrunnionStatus {
+pub(crate) unsafe fn init<S: State, E: Into<TrunnionStatus>>(state: *mut S, fit: Result<S::Fit, E>) -> TrunnionStatus {
     let marked = state.cast::<Marked<S::Fit>>();
-    match check(state).and(fit) {
+    match check(state).and(fit.map_err(Into::into)) {
         Err(status) => status,
         Ok(fit) => {
             // SAFETY: not null, aligned, of the caller's word writable, and large enough (`State`).

@@ -1,7 +1,7 @@
 //! What a call answers.
 
 use trunnion_solver::lstsq::{Rejected, SolveError};
-use trunnion_solver::tilting::ImpossibleRadius;
+use trunnion_solver::model::{ImpossibleLength, MergeError};
 
 /// What a call answers. Whatever is not `OK` has changed nothing but the result, which is then marked invalid.
 #[repr(i32)]
@@ -29,8 +29,8 @@ pub enum TrunnionStatus {
     DifferentRadius = 9,
 }
 
-impl From<ImpossibleRadius> for TrunnionStatus {
-    fn from(_: ImpossibleRadius) -> Self {
+impl From<ImpossibleLength> for TrunnionStatus {
+    fn from(_: ImpossibleLength) -> Self {
         Self::ImpossibleRadius
     }
 }
@@ -50,6 +50,16 @@ impl<const P: usize> From<SolveError<P>> for TrunnionStatus {
             SolveError::TooFewSamples { .. } => Self::TooFewSamples,
             SolveError::RankDeficient(_) => Self::Confounded,
             SolveError::NotFinite => Self::NotFinite,
+        }
+    }
+}
+
+impl From<MergeError> for TrunnionStatus {
+    fn from(why: MergeError) -> Self {
+        match why {
+            MergeError::Rejected(why) => why.into(),
+            // Of the lengths there is one: the radius.
+            _ => Self::DifferentRadius,
         }
     }
 }

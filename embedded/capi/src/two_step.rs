@@ -3,8 +3,8 @@
 use crate::estimate::{failure, give};
 use crate::state::{State, copied, fits, init, with_mut};
 use crate::status::status;
-use crate::{TrunnionEstimateF32, TrunnionEstimateF64, TrunnionStatus};
-use trunnion_solver::tilting::{TwoStep, TwoStepError};
+use crate::{TrunnionEstimate, TrunnionStatus};
+use trunnion_solver::tilting::{Lengths, TwoStep};
 
 /// Size of the state in words of eight bytes.
 pub const TRUNNION_TWO_STEP_F32_WORDS: usize = 104;
@@ -29,7 +29,7 @@ const _: () = assert!(fits::<TrunnionTwoStepF32>());
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_two_step_f32_init(state: *mut TrunnionTwoStepF32, radius: f32) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { init(state, TwoStep::new(radius).map_err(Into::into)) }
+    unsafe { init(state, TwoStep::new(Lengths { r: radius })) }
 }
 
 /// Takes a sample of run 1 at the angle `a` (rad): the radial deviation and the known δ_ya and δ_za there, mm.
@@ -45,7 +45,7 @@ pub unsafe extern "C" fn trunnion_two_step_f32_push_tilting(
     known_z: f32,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, [known_y, known_z]))) }
+    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, known_y, known_z))) }
 }
 
 /// Takes a sample of run 2 at the angle `a` (rad): the radial deviation, mm.
@@ -69,12 +69,12 @@ pub unsafe extern "C" fn trunnion_two_step_f32_push_separation(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_two_step_f32_solve(
     state: *const TrunnionTwoStepF32,
-    result: *mut TrunnionEstimateF32,
+    result: *mut TrunnionEstimate<f32>,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
     unsafe {
         let fit = copied(state).map_err(|status| (status, 0));
-        give(fit.and_then(|fit| fit.solve().map_err(why_not)), result)
+        give(fit.and_then(|fit| fit.solve().map_err(|e| failure(e.why))), result)
     }
 }
 
@@ -101,7 +101,7 @@ const _: () = assert!(fits::<TrunnionTwoStepF64>());
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_two_step_f64_init(state: *mut TrunnionTwoStepF64, radius: f64) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { init(state, TwoStep::new(radius).map_err(Into::into)) }
+    unsafe { init(state, TwoStep::new(Lengths { r: radius })) }
 }
 
 /// Takes a sample of run 1 at the angle `a` (rad): the radial deviation and the known δ_ya and δ_za there, mm.
@@ -117,7 +117,7 @@ pub unsafe extern "C" fn trunnion_two_step_f64_push_tilting(
     known_z: f64,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
-    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, [known_y, known_z]))) }
+    unsafe { with_mut(state, |fit| status(fit.push_tilting(a, deviation, known_y, known_z))) }
 }
 
 /// Takes a sample of run 2 at the angle `a` (rad): the radial deviation, mm.
@@ -141,19 +141,11 @@ pub unsafe extern "C" fn trunnion_two_step_f64_push_separation(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trunnion_two_step_f64_solve(
     state: *const TrunnionTwoStepF64,
-    result: *mut TrunnionEstimateF64,
+    result: *mut TrunnionEstimate<f64>,
 ) -> TrunnionStatus {
     // SAFETY: as required here.
     unsafe {
         let fit = copied(state).map_err(|status| (status, 0));
-        give(fit.and_then(|fit| fit.solve().map_err(why_not)), result)
-    }
-}
-
-/// Why there is no estimate. Confounded coefficients of run 2 are not of those estimated here: no bit stands for them.
-fn why_not(why: TwoStepError) -> (TrunnionStatus, u32) {
-    match why {
-        TwoStepError::Separation(why) => (why.into(), 0),
-        TwoStepError::Tilting(why) => failure(why),
+        give(fit.and_then(|fit| fit.solve().map_err(|e| failure(e.why))), result)
     }
 }

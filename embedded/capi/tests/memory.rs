@@ -2,13 +2,13 @@
 
 use std::mem::MaybeUninit;
 use std::ptr;
-use trunnion_capi::{TrunnionEpsXaF64, TrunnionEstimateF64, TrunnionJointF64, TrunnionStatus, estimate, joint};
+use trunnion_capi::{TrunnionEpsXa, TrunnionEstimate, TrunnionJointF64, TrunnionStatus, estimate, joint};
 
 #[test]
 fn states_are_plain_memory() {
     let mut memory = MaybeUninit::<TrunnionJointF64>::zeroed();
-    let mut result = MaybeUninit::<TrunnionEstimateF64>::zeroed();
-    let mut at = MaybeUninit::<TrunnionEpsXaF64>::zeroed();
+    let mut result = MaybeUninit::<TrunnionEstimate<f64>>::zeroed();
+    let mut at = MaybeUninit::<TrunnionEpsXa<f64>>::zeroed();
     let state = memory.as_mut_ptr();
     // SAFETY: every pointer is to memory of its type.
     unsafe {

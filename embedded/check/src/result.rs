@@ -2,7 +2,8 @@
 
 use crate::{Outcome, qemu};
 use std::path::Path;
-use trunnion_solver::tilting::{Joint, TwoStep};
+use trunnion_solver::lstsq::student_t_95;
+use trunnion_solver::tilting::{Estimate, Joint, Lengths, TwoStep};
 
 /// Largest difference from the host's `f64`, µrad: what is asked of `f32` at 360 samples, and the digits printed.
 const BOUNDS: [(&str, f64); 2] = [("f32", 0.01), ("f64", 2e-9)];
@@ -37,17 +38,19 @@ pub fn check(file: &Path) -> Outcome {
 }
 
 struct Host {
-    joint: trunnion_solver::tilting::JointEstimate<f64>,
-    two_step: trunnion_solver::tilting::Estimate<f64, 5>,
+    joint: Estimate<f64>,
+    two_step: Estimate<f64>,
 }
 
 impl Host {
     fn new() -> Option<Self> {
-        let (mut joint, mut two_step) = (Joint::new(runs::RADIUS).ok()?, TwoStep::new(runs::RADIUS).ok()?);
+        let lengths = Lengths { r: runs::RADIUS };
+        let (mut joint, mut two_step) = (Joint::new(lengths).ok()?, TwoStep::new(lengths).ok()?);
         for sample in runs::turn() {
-            joint.push_tilting(sample.angle, sample.tilting, sample.known).ok()?;
+            let [y_a, z_a] = sample.known;
+            joint.push_tilting(sample.angle, sample.tilting, y_a, z_a).ok()?;
             joint.push_separation(sample.angle, sample.separation).ok()?;
-            two_step.push_tilting(sample.angle, sample.tilting, sample.known).ok()?;
+            two_step.push_tilting(sample.angle, sample.tilting, y_a, z_a).ok()?;
             two_step.push_separation(sample.angle, sample.separation).ok()?;
         }
         Some(Self { joint: joint.solve().ok()?, two_step: two_step.solve().ok()? })
@@ -55,12 +58,12 @@ impl Host {
 
     /// ε_xa and half the width of its band, µrad.
     fn at(&self, estimator: &str, degree: f64) -> Option<[f64; 2]> {
-        let a = degree.to_radians();
-        let (eps, band) = match estimator {
-            "joint" => (self.joint.eps_xa(a)?.0, self.joint.band(a)?),
-            "two-step" => (self.two_step.eps_xa(a)?.0, self.two_step.band(a)?),
+        let estimate = match estimator {
+            "joint" => &self.joint,
+            "two-step" => &self.two_step,
             _ => return None,
         };
-        Some([eps * 1e6, band * 1e6])
+        let (eps, std) = estimate.e_xa(degree.to_radians()).ok()?;
+        Some([eps, student_t_95::<f64>(estimate.solution.degrees_of_freedom) * std].map(|rad| rad * 1e6))
     }
 }

@@ -2,13 +2,11 @@
 //! nowhere, so a program linked from the functions here exists only if none of them can come to a panic.
 #![no_std]
 
-use nalgebra::{SMatrix, SVector};
-use num_traits::{AsPrimitive, FloatConst};
+use nalgebra::SVector;
 use trunnion_solver::{
     Real,
-    lstsq::{Factor, Solution, SolveError, Subset, student_t_95},
-    tilting::{Estimate, Joint, TwoStep},
-    trig::Float,
+    lstsq::{Condition, Factor, Order, Solution, SolveError, Subset, student_t_95},
+    tilting::{Estimate, Joint, Lengths, TwoStep},
 };
 
 #[panic_handler]
@@ -21,6 +19,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 }
 
 const P: usize = 8;
+type Steps = Order<P, P, P>;
 
 /// Numbers in, numbers out: anything may come, and everything that is worked out goes.
 struct Tape<'a, T> {
@@ -61,65 +60,79 @@ impl<T: Real> Tape<'_, T> {
             Err(_) => self.put(T::one()),
         }
     }
+
+    fn condition<const N: usize>(&mut self, condition: &Condition<T, N>) {
+        self.put(condition.number);
+        self.subset(&condition.weakest);
+    }
+
+    fn two_steps(&mut self, order: &Steps, first: &Factor<T, P>, second: &Factor<T, P>, sigma: T) {
+        for outcome in [order.solve(first, second), order.solve_with_sigma(first, second, sigma)] {
+            self.solution(outcome.map_err(|e| e.why));
+        }
+        if let Ok(sensitivity) = order.sensitivity(first, second) {
+            sensitivity.first.iter().chain(&sensitivity.second).for_each(|v| self.put(*v));
+        }
+        if let Ok(condition) = order.condition(first, second) {
+            self.condition(&condition);
+        }
+    }
 }
 
-fn lstsq<T: Real>(factor: &mut Factor<T, P>, other: &Factor<T, P>, tape: &mut Tape<'_, T>) -> u32 {
+fn lstsq<T: Real>(
+    factor: &mut Factor<T, P>,
+    other: &Factor<T, P>,
+    order: &mut Steps,
+    [own, given, first]: &[[usize; 4]; 3],
+    tape: &mut Tape<'_, T>,
+) -> u32 {
+    if let Ok(new) = Order::new(first, own, given) {
+        *order = new;
+    }
+
     let (row, y, weight) = (SVector::from(*tape.input), tape.next(), tape.next());
     let taken = [factor.push(&row, y), factor.push_weighted(&row, y, weight), factor.merge(other)];
     tape.solution(factor.solve());
     tape.solution(factor.solve_with_sigma(weight));
-    let (k, covariance) = (SVector::from([y, weight, y]), SMatrix::from([[y; 3]; 3]));
-    tape.solution(factor.solve_given::<5, 3>(&k, &covariance));
+    tape.two_steps(order, factor, other, weight);
     if let Ok(condition) = factor.condition() {
-        tape.put(condition.number);
-        tape.subset(&condition.weakest);
+        tape.condition(&condition);
     }
     taken.iter().fold(0, |bits, outcome| bits << 1 | u32::from(outcome.is_ok()))
 }
 
-fn tilting<T: Real + FloatConst + 'static>(
-    joint: &mut Joint<T>,
-    two_step: &mut TwoStep<T>,
-    tape: &mut Tape<'_, T>,
-) -> u32
-where
-    f64: AsPrimitive<T>,
-{
-    let (a, y, known) = (tape.next(), tape.next(), [tape.next(), tape.next()]);
-    let (sin, cos) = Float::sin_cos(a);
-    tape.put(sin + cos);
-    if let Ok(fresh) = Joint::new(y) {
+fn tilting<T: Real>(joint: &mut Joint<T>, two_step: &mut TwoStep<T>, tape: &mut Tape<'_, T>) -> u32 {
+    let (a, y, [y_a, z_a]) = (tape.next(), tape.next(), [tape.next(), tape.next()]);
+    if let Ok(fresh) = Joint::new(Lengths { r: y }) {
         *joint = fresh;
     }
-    if let Ok(fresh) = TwoStep::new(y) {
+    if let Ok(fresh) = TwoStep::new(Lengths { r: y }) {
         *two_step = fresh;
     }
-    let copy = *joint;
+    let (joint_before, two_step_before) = (*joint, *two_step);
     let taken = [
-        joint.push_tilting(a, y, known),
-        joint.push_separation(a, y),
-        joint.merge(&copy),
-        two_step.push_tilting(a, y, known),
-        two_step.push_separation(a, y),
+        joint.push_tilting(a, y, y_a, z_a).is_ok(),
+        joint.push_separation(a, y).is_ok(),
+        joint.push(&[y; 13], a, z_a).is_ok(),
+        joint.merge(&joint_before).is_ok(),
+        two_step.push_tilting(a, y, y_a, z_a).is_ok(),
+        two_step.push_separation(a, y).is_ok(),
+        two_step.merge(&two_step_before).is_ok(),
     ];
-    if let Ok(estimate) = joint.solve() {
+    for estimate in [joint.solve().ok(), two_step.solve().ok()].into_iter().flatten() {
         estimated(&estimate, a, tape);
     }
-    if let Ok(condition) = joint.condition() {
-        tape.subset(&condition.weakest);
+    for condition in [joint.condition().ok(), two_step.condition().ok()].into_iter().flatten() {
+        tape.condition(&condition);
     }
-    if let Ok(estimate) = two_step.solve() {
-        estimated(&estimate, a, tape);
-    }
-    taken.iter().fold(0, |bits, outcome| bits << 1 | u32::from(outcome.is_ok()))
+    taken.iter().fold(0, |bits, taken| bits << 1 | u32::from(*taken))
 }
 
-fn estimated<T: Real + FloatConst + 'static, const N: usize>(estimate: &Estimate<T, N>, a: T, tape: &mut Tape<'_, T>)
-where
-    f64: AsPrimitive<T>,
-{
-    tape.put(estimate.eps_xa(a).map_or(T::zero(), |(value, std)| value + std));
-    tape.put(estimate.band(a).unwrap_or(T::zero()));
+fn estimated<T: Real>(estimate: &Estimate<T>, a: T, tape: &mut Tape<'_, T>) {
+    if let Ok((value, std)) = estimate.e_xa(a) {
+        tape.put(value + std);
+    }
+    tape.put(estimate.lengths().r);
     tape.solution(Ok(estimate.solution));
 }
 
@@ -127,9 +140,16 @@ macro_rules! proofs {
     ($($lstsq:ident, $tilting:ident, $t:ty;)*) => {$(
         /// All of `lstsq`.
         #[unsafe(no_mangle)]
-        pub extern "C" fn $lstsq(f: &mut Factor<$t, P>, other: &Factor<$t, P>, input: &[$t; P], sum: &mut $t) -> u32 {
+        pub extern "C" fn $lstsq(
+            f: &mut Factor<$t, P>,
+            other: &Factor<$t, P>,
+            order: &mut Steps,
+            columns: &[[usize; 4]; 3],
+            input: &[$t; P],
+            sum: &mut $t,
+        ) -> u32 {
             let mut tape = Tape { input, at: 0, sum: 0.0 };
-            let bits = lstsq(f, other, &mut tape);
+            let bits = lstsq(f, other, order, columns, &mut tape);
             *sum = tape.sum;
             bits
         }

@@ -1,7 +1,7 @@
 //! How well the data separate the coefficients, and which they separate worst.
 
 use super::solution::dot;
-use super::triangle::{Triangle, squared_norms};
+use super::triangle::Triangle;
 use super::{Factor, Real, SolveError, Subset};
 
 /// Sweeps over all pairs of columns. Convergence is quadratic: five or six do; this only bounds the time.
@@ -32,7 +32,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
     pub(super) fn condition_of_first(&self, n: usize) -> Result<Condition<T, P>, SolveError<P>> {
         let triangle = Triangle::leading(self, n);
         triangle.independent(&triangle.inverse()).map_err(SolveError::RankDeficient)?;
-        let (n, norm2) = (n.min(P), squared_norms(self));
+        let (n, norm2) = (n.min(P), triangle.squared_norms());
         // Rows of the scaled factor A: rotating them into orthogonality (one-sided Jacobi on A') leaves each as a
         // singular value times its right singular vector.
         let mut rows = [[T::zero(); P]; P];

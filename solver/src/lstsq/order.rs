@@ -20,7 +20,7 @@ pub struct Order<const P: usize, const F: usize, const S: usize> {
     first: [usize; F],
     first_count: usize,
     own: [usize; S],
-    own_count: usize,
+    pub(super) own_count: usize,
     /// For each column of the second factor that is given, the column of the first that gives it; else `F`.
     pub(super) source: [usize; S],
 }

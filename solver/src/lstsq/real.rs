@@ -12,6 +12,9 @@ pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
     /// The value nearest to a count of samples.
     fn of_count(n: u32) -> Self;
 
+    /// Whether all values are finite, without floating-point arithmetic.
+    fn all_finite(values: &[Self]) -> bool;
+
     /// Sine and cosine of an angle in rad, calculated in this type alone.
     fn sine_cosine(self) -> (Self, Self);
 }
@@ -27,6 +30,12 @@ macro_rules! real {
             #[inline]
             fn of_count(n: u32) -> Self {
                 n as $t
+            }
+
+            #[inline]
+            fn all_finite(values: &[Self]) -> bool {
+                let largest = values.iter().fold(0, |largest, v| v.abs().to_bits().max(largest));
+                largest < <$t>::INFINITY.to_bits()
             }
 
             #[inline]

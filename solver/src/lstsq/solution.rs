@@ -19,12 +19,14 @@ pub struct Solution<T, const P: usize> {
 }
 
 impl<T: Real, const P: usize> Solution<T, P> {
-    /// The solution, if every number of it is finite.
-    #[inline]
+    /// The solution, if every number of it is finite. The covariance is symmetric.
+    #[inline(always)]
     pub(super) fn finite(coefficients: [T; P], covariance: [[T; P]; P], residual: Residual<T>) -> Option<Self> {
-        let zero = [T::zero(); P];
-        let check = covariance.iter().fold(dot(&coefficients, &zero), |sum, row| sum + dot(row, &zero));
-        (check + residual.variance).is_finite().then(|| Self {
+        let mut finite = T::all_finite(&coefficients) & residual.variance.is_finite();
+        for (i, column) in covariance.iter().enumerate() {
+            finite &= T::all_finite(column.get(i..).unwrap_or(column));
+        }
+        finite.then(|| Self {
             coefficients: SVector::from(coefficients),
             covariance: SMatrix::from(covariance),
             residual_std: residual.variance.sqrt(),

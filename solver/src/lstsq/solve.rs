@@ -27,10 +27,10 @@ impl<T: Real, const P: usize> Factor<T, P> {
     #[inline]
     fn estimate(&self, variance: Option<T>) -> Result<Solution<T, P>, SolveError<P>> {
         let triangle = Triangle::leading(self, P);
-        let inverse = triangle.inverse();
-        triangle.determined(&inverse, variance)?;
+        let mut covariance = triangle.inverse();
+        triangle.determined(&covariance, variance)?;
         let residual = Residual::new(self.rss, self.samples, P);
-        let covariance = triangle.covariance(&inverse, variance.unwrap_or(residual.variance));
+        triangle.covariance(&mut covariance, variance.unwrap_or(residual.variance));
         Solution::finite(triangle.back_substitute(self.q), covariance, residual).ok_or(SolveError::NotFinite)
     }
 }

@@ -1,6 +1,5 @@
 //! The leading triangle of a factor: rank, back substitution, covariance.
 
-use super::solution::dot;
 use super::{Confounded, Factor, Real, SolveError, Subset};
 
 /// The first `n` of a factor's columns, and what follows from them alone. Matrices and vectors have the factor's width and
@@ -19,7 +18,7 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
 
     /// R⁻¹, unit upper triangular.
     #[inline]
-    pub fn inverse(&self) -> [[T; P]; P] {
+    pub fn inverse(self) -> [[T; P]; P] {
         let n = self.n.min(P);
         let mut u = [[T::zero(); P]; P];
         for i in (0..n).rev() {
@@ -37,7 +36,7 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
     /// Whether the samples determine the coefficients: there are enough, also for a residual if no `variance` is known, and
     /// the columns are independent: the sine of the angle between each and the span of those before it exceeds what rounding alone would leave.
     /// `inverse` is R⁻¹.
-    pub fn determined(&self, inverse: &[[T; P]; P], variance: Option<T>) -> Result<(), SolveError<P>> {
+    pub fn determined(self, inverse: &[[T; P]; P], variance: Option<T>) -> Result<(), SolveError<P>> {
         let (samples, needed) = (self.factor.samples, self.n.saturating_add(usize::from(variance.is_none())));
         if usize::try_from(samples).is_ok_and(|samples| samples < needed) {
             return Err(SolveError::TooFewSamples { samples, needed });
@@ -45,28 +44,36 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
         self.independent(inverse).map_err(SolveError::RankDeficient)
     }
 
-    pub fn independent(&self, inverse: &[[T; P]; P]) -> Result<(), Confounded<P>> {
-        let (n, norm2) = (self.n.min(P), squared_norms(self.factor));
+    pub fn independent(self, inverse: &[[T; P]; P]) -> Result<(), Confounded<P>> {
+        let (n, norm2) = (self.n.min(P), self.squared_norms());
         let least_sine = T::of(8.0) * T::of_count(u32::try_from(n).unwrap_or(u32::MAX)) * T::epsilon();
-        let is_independent = |k: usize| self.factor.dr[k][k] > least_sine * least_sine * norm2[k];
-        let Some(pivot) = (0..n).find(|&k| !is_independent(k)) else {
-            return Ok(());
-        };
-        // Column `pivot` is −Σ inverse[j][pivot]·column j: those whose part in it is over a thousandth take part.
-        let share = T::of(1e-6) * norm2[pivot];
-        let mut involved = [false; P];
-        for j in 0..pivot {
-            let part = inverse[j][pivot];
-            involved[j] = part * part * norm2[j] > share;
+        let least = norm2.map(|norm2| least_sine * least_sine * norm2);
+        for k in 0..n {
+            if self.factor.dr[k][k] <= least[k] {
+                return Err(self.confounded(k, inverse, &norm2, &least));
+            }
         }
-        involved[pivot] = true;
-        let rank = (0..n).filter(|&k| is_independent(k)).count();
-        Err(Confounded { pivot, involved: Subset::from_mask(involved), rank, columns: n })
+        Ok(())
+    }
+
+    /// Column `pivot` is −Σ inverse[j][pivot]·column j: those whose part in it is over a thousandth take part.
+    #[cold]
+    fn confounded(self, pivot: usize, inverse: &[[T; P]; P], norm2: &[T; P], least: &[T; P]) -> Confounded<P> {
+        let of_pivot = |row: &[T; P]| row.get(pivot).copied().unwrap_or(T::zero());
+        let share = T::of(1e-6) * of_pivot(norm2);
+        let mut involved = [false; P];
+        for (j, ((involved, row), &norm2)) in involved.iter_mut().zip(inverse).zip(norm2).enumerate() {
+            let part = of_pivot(row);
+            *involved = j == pivot || (j < pivot && part * part * norm2 > share);
+        }
+        let diagonal = self.factor.dr.iter().enumerate().filter_map(|(k, row)| row.get(k));
+        let rank = diagonal.zip(least).take(self.n).filter(|(d, least)| d > least).count();
+        Confounded { pivot, involved: Subset::from_mask(involved), rank, columns: self.n }
     }
 
     /// R⁻¹ v.
     #[inline]
-    pub fn back_substitute(&self, mut v: [T; P]) -> [T; P] {
+    pub fn back_substitute(self, mut v: [T; P]) -> [T; P] {
         let n = self.n.min(P);
         for j in (0..n).rev() {
             for k in j + 1..n {
@@ -77,39 +84,40 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
         v
     }
 
-    /// `variance · (X'WX)⁻¹ = variance · R⁻¹ D⁻¹ R⁻ᵀ`, given R⁻¹.
+    /// Makes `variance · (X'WX)⁻¹ = variance · R⁻¹ D⁻¹ R⁻ᵀ` of R⁻¹.
     #[inline]
-    pub fn covariance(&self, inverse: &[[T; P]; P], variance: T) -> [[T; P]; P] {
+    pub fn covariance(self, inverse: &mut [[T; P]; P], variance: T) {
         let n = self.n.min(P);
-        let mut over_d = *inverse;
-        for row in over_d.iter_mut().take(n) {
-            for (k, v) in row.iter_mut().enumerate().take(n) {
-                *v = *v / self.factor.dr[k][k] * variance;
-            }
-        }
-        let mut covariance = [[T::zero(); P]; P];
+        // A row of the result needs that row of R⁻¹ and those below it, which are still there.
         for i in 0..n {
+            let mut over_d = inverse[i];
+            for k in i..n {
+                over_d[k] = over_d[k] / self.factor.dr[k][k] * variance;
+            }
             for j in i..n {
-                let v = dot(&over_d[i], &inverse[j]);
-                covariance[i][j] = v;
-                covariance[j][i] = v;
+                inverse[i][j] = over_d.iter().zip(&inverse[j]).take(n).fold(T::zero(), |sum, (&a, &b)| sum + a * b);
             }
         }
-        covariance
-    }
-}
-
-/// Squared norm of each column of the (weighted) design.
-#[inline]
-pub(super) fn squared_norms<T: Real, const P: usize>(factor: &Factor<T, P>) -> [T; P] {
-    let mut norm2 = [T::zero(); P];
-    for j in 0..P {
-        let d = factor.dr[j][j];
-        norm2[j] += d;
-        for k in j + 1..P {
-            let v = factor.dr[j][k];
-            norm2[k] += d * v * v;
+        for i in 0..n {
+            for j in 0..i {
+                inverse[i][j] = inverse[j][i];
+            }
         }
     }
-    norm2
+
+    /// Squared norm of each column of the (weighted) design.
+    #[inline]
+    pub fn squared_norms(self) -> [T; P] {
+        let n = self.n.min(P);
+        let mut norm2 = [T::zero(); P];
+        for j in 0..n {
+            let d = self.factor.dr[j][j];
+            norm2[j] += d;
+            for k in j + 1..n {
+                let v = self.factor.dr[j][k];
+                norm2[k] += d * v * v;
+            }
+        }
+        norm2
+    }
 }

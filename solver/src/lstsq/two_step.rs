@@ -16,7 +16,6 @@
 //! ```
 
 use super::residual::Residual;
-use super::solution::dot;
 use super::triangle::Triangle;
 use super::{Condition, Factor, Order, Real, Solution, SolveError, Step, TwoStepError};
 use nalgebra::SMatrix;
@@ -38,7 +37,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     ///
     /// # Errors
     /// [`TwoStepError`]: the step that failed, and why, as of [`Factor::solve`].
-    #[inline]
+    #[inline(always)]
     pub fn solve<T: Real>(
         &self,
         first: &Factor<T, F>,
@@ -72,22 +71,21 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     ) -> Result<Sensitivity<T, P>, TwoStepError<P>> {
         let one = T::one();
         let k = Triangle::leading(first, self.first().len());
-        let u_k = k.inverse();
-        k.determined(&u_k, Some(one)).map_err(|e| self.first_failed(e))?;
+        let mut cov_k = k.inverse();
+        k.determined(&cov_k, Some(one)).map_err(|e| self.first_failed(e))?;
         let e = Triangle::leading(second, self.own().len());
-        let u_e = e.inverse();
-        e.determined(&u_e, Some(one)).map_err(|e| self.second_failed(e))?;
+        let mut cov_e = e.inverse();
+        e.determined(&cov_e, Some(one)).map_err(|e| self.second_failed(e))?;
 
-        let cov_k = k.covariance(&u_k, one);
+        k.covariance(&mut cov_k, one);
+        e.covariance(&mut cov_e, one);
         let cross = self.cross(&self.gain(second, &e), &cov_k);
         let mut sensitivity = [[[T::zero(); P]; P]; 2];
         let [of_first, of_second] = &mut sensitivity;
         place(of_first, self.first(), self.first(), &cov_k);
         place_transposed(of_first, self.own(), self.first(), &cross);
-        place(of_second, self.own(), self.own(), &e.covariance(&u_e, one));
-        let zero = [T::zero(); P];
-        let check = sensitivity.iter().flatten().fold(T::zero(), |sum, column| sum + dot(column, &zero));
-        if !check.is_finite() {
+        place(of_second, self.own(), self.own(), &cov_e);
+        if !sensitivity.iter().flatten().all(|column| T::all_finite(column)) {
             return Err(self.second_failed(SolveError::NotFinite));
         }
         let [first, second] = sensitivity.map(SMatrix::from);
@@ -120,19 +118,19 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         variance: Option<T>,
     ) -> Result<Solution<T, P>, TwoStepError<P>> {
         let k = Triangle::leading(first, self.first().len());
-        let u_k = k.inverse();
-        k.determined(&u_k, variance).map_err(|e| self.first_failed(e))?;
+        let mut cov_k = k.inverse();
+        k.determined(&cov_k, variance).map_err(|e| self.first_failed(e))?;
         let e = Triangle::leading(second, self.own().len());
-        let u_e = e.inverse();
-        e.determined(&u_e, variance).map_err(|e| self.second_failed(e))?;
+        let mut cov_e = e.inverse();
+        e.determined(&cov_e, variance).map_err(|e| self.second_failed(e))?;
 
         let residual = Residual::new(first.rss, first.samples, self.first().len());
-        let cov_k = k.covariance(&u_k, variance.unwrap_or(residual.variance));
+        k.covariance(&mut cov_k, variance.unwrap_or(residual.variance));
         let k = k.back_substitute(first.q);
 
         let (rest, rss) = self.given(second, &k);
         let residual = Residual::new(rss, second.samples, self.own().len());
-        let mut cov_e = e.covariance(&u_e, variance.unwrap_or(residual.variance));
+        e.covariance(&mut cov_e, variance.unwrap_or(residual.variance));
         let gain = self.gain(second, &e);
         let e = e.back_substitute(rest);
         let cross = self.cross(&gain, &cov_k);
@@ -181,12 +179,16 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     /// Adds G cov k G', given G cov k.
     #[inline(always)]
     fn widen<T: Real>(&self, cov_e: &mut [[T; S]; S], cross: &[[T; F]; S], gain: &[[T; S]; S]) {
-        for ((cov_e, cross), _) in cov_e.iter_mut().zip(cross).zip(self.own()) {
-            for (gain, &source) in gain.iter().zip(&self.source) {
-                let Some(&cov) = cross.get(source) else { continue };
-                for ((v, &g), _) in cov_e.iter_mut().zip(gain).zip(self.own()) {
-                    *v += cov * g;
+        let own = self.own_count.min(S);
+        for i in 0..own {
+            let cross = self.given_of(&cross[i]);
+            for j in i..own {
+                let mut sum = cov_e[i][j];
+                for l in own..S {
+                    sum += cross[l] * gain[l][j];
                 }
+                cov_e[i][j] = sum;
+                cov_e[j][i] = sum;
             }
         }
     }
@@ -200,7 +202,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     /// Right-hand side and residual sum of squares of the second step with `k` put in.
     #[inline(always)]
     fn given<T: Real>(&self, second: &Factor<T, S>, k: &[T; F]) -> ([T; S], T) {
-        let (own, k) = (self.own().len(), self.given_of(k));
+        let (own, k) = (self.own_count.min(S), self.given_of(k));
         let (mut rest, mut rss) = (second.q, second.rss);
         for i in 0..S {
             for j in own.max(i + 1)..S {

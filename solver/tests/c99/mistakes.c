@@ -50,7 +50,7 @@ int main(void)
     EXPECT(tilting_table_a_push(&fit, row, 1, nan), BAD_WEIGHT);
     EXPECT(tilting_table_a_push(&fit, row, 1, -1), BAD_WEIGHT);
     EXPECT(tilting_table_a_push(&fit, row, 1, 0), OK);
-    EXPECT(tilting_table_a_push(&fit, row, MAXIMUM, 1), OUT_OF_RANGE);
+    EXPECT(tilting_table_a_push(&fit, row, MAXIMUM, 1), OVERFLOW);
     EXPECT(tilting_table_a_push_tilting(&fit, 150, nan, 0, 0, 0), NOT_FINITE);
     EXPECT(tilting_table_a_push_tilting(&fit, inf, 1, 0, 0, 0), NOT_FINITE);
     EXPECT(tilting_table_a_push_tilting(&fit, MAXIMUM, 1, 0, 0, 0), NOT_FINITE);

@@ -1,4 +1,4 @@
-//! Arguments that several of the commands take.
+//! What several commands of the parallel machine take.
 
 use super::ExechonRefused;
 use clap::{Args, ValueEnum};
@@ -15,6 +15,7 @@ pub struct Which {
 }
 
 impl Which {
+    /// Reads it.
     pub fn read(&self) -> Result<Machine<f64>, ExechonRefused> {
         let name = self.machine.clone().unwrap_or_else(|| "src/exechon/xt700.toml".into());
         read_machine(self.machine.as_deref()).map_err(|problem| ExechonRefused::Machine(name, problem))

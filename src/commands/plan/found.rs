@@ -1,15 +1,18 @@
-//! What there is to say.
+//! All that `plan` has to say.
 
-use trunnion::study::Estimator;
-use trunnion::study::plan::{Addition, Compared};
+use trunnion::study::plan::{Addition, Compared, Comparison};
 use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::model::Model;
 
-/// All of it.
+/// All there is to say.
 pub struct Found<'a> {
     pub model: &'a Model,
     pub derivation: &'a Derivation,
-    pub estimator: Estimator,
+    pub comparison: &'a Comparison,
+    /// Half width of the uniform noise, µm.
+    pub noise_um: f64,
+    /// Whether the runs to leave out were named.
+    pub named: bool,
     pub compared: Vec<Compared>,
     /// The confounded groups in words.
     pub described: Vec<String>,

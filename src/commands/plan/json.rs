@@ -1,13 +1,13 @@
 //! The plan for a program.
 
-use super::{Found, PlanArguments};
+use super::found::Found;
 use serde_json::{Value, json};
 use trunnion::study::plan::{Compared, Predicted};
 use trunnion_codegen::ids::{BaseId, ParameterId};
 
 /// The same as one object for a program.
-pub fn json(plan: &PlanArguments, found: &Found) -> Value {
-    let Found { model, derivation, estimator, compared, described, tried, added } = found;
+pub fn json(found: &Found) -> Value {
+    let Found { model, derivation, comparison, compared, described, tried, added, .. } = found;
     let name = |j: &ParameterId| derivation.parameters[*j].name.clone();
     let groups = derivation.groups();
     let groups = groups.iter().zip(described).map(|(g, words)| {
@@ -31,9 +31,9 @@ pub fn json(plan: &PlanArguments, found: &Found) -> Value {
     let known = added.iter().filter(|a| !a.finds.is_empty());
     json!({
         "model": model.name,
-        "samples": plan.measuring.samples,
-        "noise_um": plan.measuring.noise_um,
-        "estimator": estimator.to_string(),
+        "samples": comparison.samples,
+        "noise_um": found.noise_um,
+        "estimator": comparison.estimator.to_string(),
         "plans": compared.iter().map(object).collect::<Vec<_>>(),
         "runs_tried": tried,
         "confounded": groups.collect::<Vec<_>>(),

@@ -1,15 +1,15 @@
 //! `trunnion plan`: what intended runs would tell, before anything is measured.
 
-mod arguments;
 mod found;
 mod json;
 mod text;
 
-pub use arguments::PlanArguments;
-
+use self::found::Found;
+use super::Refused;
 use super::model::{load, others, source};
-use super::{Refused, print};
-use found::Found;
+use super::output::print;
+use super::predicted::{self, Measuring};
+use clap::Args;
 use trunnion::data::Radius;
 use trunnion::study::SetupError;
 use trunnion::study::plan::{Comparison, additions, compare};
@@ -17,6 +17,30 @@ use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
 use trunnion_codegen::model::{Model, read_draft};
 use trunnion_codegen::problems::derivation;
+
+/// Arguments of `plan`.
+#[derive(Debug, Args)]
+pub struct PlanArguments {
+    /// A name from the catalogue, or a model file.
+    model: String,
+    /// Nominal lengths of the ball-bar to compare, mm; 100, 150 and 300 if none is given.
+    #[arg(long, value_name = "MM", value_delimiter = ',', num_args = 1.., allow_negative_numbers = true)]
+    radius: Vec<f64>,
+    /// Another length of the set-up, mm.
+    #[arg(long = "set", value_name = "NAME=MM")]
+    lengths: Vec<String>,
+    /// Ranges of the sweeps to compare, degrees; the full turn, -20:200 and -90:90 if none is given.
+    #[arg(long, value_name = "A:B", num_args = 1.., value_parser = predicted::range, allow_hyphen_values = true)]
+    range_deg: Vec<(f64, f64)>,
+    /// A run to leave out, several joined by commas to leave them out together; each run in turn if none is given.
+    #[arg(long, value_name = "RUN", num_args = 1..)]
+    without: Vec<String>,
+    #[command(flatten)]
+    measuring: Measuring,
+    /// Print one JSON object.
+    #[arg(long)]
+    json: bool,
+}
 
 const RADII: [f64; 3] = [100.0, 150.0, 300.0];
 const RANGES: [(f64, f64); 3] = [(0.0, 360.0), (-20.0, 200.0), (-90.0, 90.0)];
@@ -34,11 +58,20 @@ impl PlanArguments {
         let (tried, added) = additions(&draft, &model, &derivation, catalogue::MODELS);
         let described: Vec<String> =
             derivation.groups().iter().map(|g| equations::group(&model, &derivation, g)).collect();
-        let (model, derivation, estimator) = (&model, &derivation, comparison.estimator);
-        let found = Found { model, derivation, estimator, compared, described, tried, added };
+        let found = Found {
+            model: &model,
+            derivation: &derivation,
+            comparison: &comparison,
+            noise_um: self.measuring.noise_um,
+            named: !self.without.is_empty(),
+            compared,
+            described,
+            tried,
+            added,
+        };
         print(&match self.json {
-            true => format!("{:#}\n", json::json(&self, &found)),
-            false => text::text(&self, &found),
+            true => format!("{:#}\n", json::json(&found)),
+            false => text::text(&found),
         })
     }
 

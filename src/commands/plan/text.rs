@@ -1,6 +1,6 @@
 //! The plan for reading at a terminal.
 
-use super::{Found, PlanArguments};
+use super::found::Found;
 use crate::commands::predicted;
 use std::fmt::Write;
 use trunnion::study::WARN_CONDITION;
@@ -9,11 +9,11 @@ use trunnion_codegen::emit::equations;
 use trunnion_codegen::ids::BaseId;
 
 /// The comparison and what cannot be told apart, for reading at a terminal.
-pub fn text(plan: &PlanArguments, found: &Found) -> String {
-    let Found { model, derivation, estimator, compared, described, tried, added } = found;
+pub fn text(found: &Found) -> String {
+    let Found { model, derivation, comparison, compared, described, tried, added, .. } = found;
     let mut out = format!(
         "{}: {} samples a run, noise ±{} µm, {} estimate\n",
-        model.name, plan.measuring.samples, plan.measuring.noise_um, estimator
+        model.name, comparison.samples, found.noise_um, comparison.estimator
     );
     let _ = writeln!(
         out,
@@ -51,8 +51,7 @@ pub fn text(plan: &PlanArguments, found: &Found) -> String {
         out,
         "  ! condition above {WARN_CONDITION}: hardly told apart\n  * its coefficients are seen only together with other errors"
     );
-    let asked = !plan.without.is_empty();
-    out += &together(compared.iter().filter(|l| asked || l.without.is_empty()));
+    out += &together(compared.iter().filter(|l| found.named || l.without.is_empty()));
     let _ = writeln!(
         out,
         "\nWhat all runs together cannot tell apart, and what each of the {tried} runs of the catalogue that fit this machine would separate"

@@ -7,13 +7,32 @@ use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
 use firmware::{clock::Clock, clock::Cost, stack};
 use nalgebra::SVector;
-use num_traits::{AsPrimitive, FloatConst};
 use panic_semihosting as _;
 use trunnion_solver::{
-    Real,
+    Machine, Real,
     lstsq::Factor,
-    tilting::{Joint, TwoStep, regressors},
+    tilting::{self, Joint, Lengths, TwoStep},
 };
+
+/// A machine of one's own: a rotary table and the bar that is held against it.
+#[derive(Machine)]
+#[machine(constants(R), estimate(EXC))]
+#[run(
+    along_x,
+    sweep = "c",
+    at(C = "c"),
+    workpiece_ball(setup(w_x, w_y, w_z)),
+    tool_ball(at("R", "0", "0"), setup(t_x, t_y, t_z)),
+    bar = "R"
+)]
+#[function(EXC = polynomial(4, "f(0) = 0", "f(2*pi) = f(0)"))]
+pub struct Table {
+    /// Angle of the table, rad.
+    #[workpiece(rotary = "z", location(EX0C, EY0C))]
+    pub c: f64,
+}
+/// So many the documentation says.
+const _: () = assert!(Table::NAMES.len() == 6);
 
 #[entry]
 fn main() -> ! {
@@ -31,33 +50,35 @@ fn main() -> ! {
     unreachable!("the debugger has ended the program")
 }
 
-fn measure<T: Real + FloatConst + 'static>(clock: &Clock, kind: &str)
-where
-    f64: AsPrimitive<T>,
-{
+fn measure<T: Real>(clock: &Clock, kind: &str) {
     let radius = T::of(runs::RADIUS);
     let (mut row, mut push, mut both) = (Cost::default(), Cost::default(), Cost::default());
     let (mut tilting, mut separation, mut two_step_both) = (Cost::default(), Cost::default(), Cost::default());
     let mut eight = Factor::<T, 8>::new();
     let mut again = Factor::<T, 8>::new();
-    let (Ok(mut joint), Ok(mut two_step)) = (Joint::new(radius), TwoStep::new(radius)) else { return };
+    let (mut own_row, mut own_sample) = (Cost::default(), Cost::default());
+    let lengths = Lengths { r: radius };
+    let (Ok(mut joint), Ok(mut two_step)) = (Joint::new(lengths), TwoStep::new(lengths)) else { return };
+    let Ok(mut own) = Table::fit(TableLengths { r: radius }) else { return };
     for sample in runs::turn() {
         let a = black_box(T::of(sample.angle));
         let y = [sample.tilting, sample.separation].map(|y| black_box(T::of(y)));
-        let known = black_box(sample.known.map(T::of));
-        let x = SVector::from(clock.time(&mut row, || black_box(regressors::separation(black_box(radius), a))));
+        let [y_a, z_a] = black_box(sample.known.map(T::of));
+        let x = SVector::from(clock.time(&mut row, || black_box(tilting::separation(black_box(radius), a))));
         let taken = clock.time(&mut push, || black_box(&mut again).push(black_box(&x), y[1])).is_ok()
             & clock
                 .time(&mut both, || {
-                    black_box(&mut eight).push(&SVector::from(regressors::separation(black_box(radius), a)), y[1])
+                    black_box(&mut eight).push(&SVector::from(tilting::separation(black_box(radius), a)), y[1])
                 })
                 .is_ok()
-            & clock.time(&mut tilting, || black_box(&mut joint).push_tilting(a, y[0], known)).is_ok()
+            & clock.time(&mut tilting, || black_box(&mut joint).push_tilting(a, y[0], y_a, z_a)).is_ok()
             & clock.time(&mut separation, || black_box(&mut joint).push_separation(a, y[1])).is_ok()
             & clock.time(&mut two_step_both, || {
                 let two_step = black_box(&mut two_step);
-                two_step.push_tilting(a, y[0], known).is_ok() & two_step.push_separation(a, y[1]).is_ok()
-            });
+                two_step.push_tilting(a, y[0], y_a, z_a).is_ok() & two_step.push_separation(a, y[1]).is_ok()
+            })
+            & clock.time(&mut own_sample, || black_box(&mut own).push_along_x(a, y[1])).is_ok();
+        clock.time(&mut own_row, || black_box(Table::along_x(black_box(radius), a)));
         if !taken {
             hprintln!("a sample was rejected");
         }
@@ -69,6 +90,8 @@ where
     hprintln!("{} joint, sample of run 1 = {}", kind, clock.mean(&tilting));
     hprintln!("{} joint, sample of run 2 = {}", kind, clock.mean(&separation));
     hprintln!("{} two-step, sample of each run = {}", kind, clock.mean(&two_step_both));
+    hprintln!("{} own machine, row = {}", kind, clock.mean(&own_row));
+    hprintln!("{} own machine, sample = {}", kind, clock.mean(&own_sample));
 
     let (mut of_eight, mut of_joint, mut of_two_step) = (Cost::default(), Cost::default(), Cost::default());
     for _ in 0..40 {
@@ -85,7 +108,7 @@ where
     hprintln!("{} state, two-step = {}", kind, size_of::<TwoStep<T>>());
 
     let a = black_box(T::one());
-    let of_eight = |x: T| SVector::from(regressors::separation(black_box(radius), x));
+    let of_eight = |x: T| SVector::from(tilting::separation(black_box(radius), x));
     hprintln!(
         "{} stack, row and push of 8 = {}",
         kind,
@@ -97,7 +120,7 @@ where
         "{} stack, joint sample = {}",
         kind,
         stack::used_by(|| {
-            let _ = black_box(black_box(&mut joint).push_tilting(a, a, [a, a]));
+            let _ = black_box(black_box(&mut joint).push_tilting(a, a, a, a));
         })
     );
     hprintln!(

@@ -5,13 +5,12 @@
 use core::mem::MaybeUninit;
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
-use num_traits::{AsPrimitive, FloatConst};
 use panic_semihosting as _;
-use trunnion_capi::{TrunnionEstimateF32, TrunnionJointF32, TrunnionStatus, joint};
+use trunnion_capi::{TrunnionEstimate, TrunnionJointF32, TrunnionStatus, joint};
 use trunnion_solver::{
     Real,
     lstsq::{Rejected, SolveError},
-    tilting::Joint,
+    tilting::{Joint, Lengths},
 };
 
 #[entry]
@@ -25,25 +24,23 @@ fn main() -> ! {
     unreachable!("the debugger has ended the program")
 }
 
-fn rust<T: Real + FloatConst + 'static>() -> [bool; 12]
-where
-    f64: AsPrimitive<T>,
-{
+fn rust<T: Real>() -> [bool; 12] {
     let (zero, one, nan, infinite) = (T::zero(), T::one(), T::nan(), T::infinity());
-    let Ok(mut fit) = Joint::new(T::of(150.0)) else { return [false; 12] };
+    let joint = |r| Joint::new(Lengths { r });
+    let Ok(mut fit) = joint(T::of(150.0)) else { return [false; 12] };
     let refused = |outcome| outcome == Err(Rejected::NotFinite);
     let no_samples = matches!(fit.solve(), Err(SolveError::TooFewSamples { .. }));
     let one_angle =
-        (0..100).all(|_| fit.push_tilting(one, one, [zero; 2]).is_ok() & fit.push_separation(one, one).is_ok());
+        (0..100).all(|_| fit.push_tilting(one, one, zero, zero).is_ok() & fit.push_separation(one, one).is_ok());
     let before = fit;
     [
-        Joint::new(zero).is_err(),
-        Joint::new(-one).is_err(),
-        Joint::new(nan).is_err(),
-        Joint::new(infinite).is_err(),
-        refused(fit.push_tilting(nan, zero, [zero; 2])),
-        refused(fit.push_tilting(infinite, zero, [zero; 2])),
-        refused(fit.push_tilting(one, nan, [zero; 2])),
+        joint(zero).is_err(),
+        joint(-one).is_err(),
+        joint(nan).is_err(),
+        joint(infinite).is_err(),
+        refused(fit.push_tilting(nan, zero, zero, zero)),
+        refused(fit.push_tilting(infinite, zero, zero, zero)),
+        refused(fit.push_tilting(one, nan, zero, zero)),
         refused(fit.push_separation(one, -infinite)),
         fit.push_separation(one, T::max_value()) == Err(Rejected::Overflow),
         fit == before,
@@ -56,7 +53,7 @@ where
 fn c() -> [bool; 6] {
     use TrunnionStatus as Status;
     let mut filled = MaybeUninit::<TrunnionJointF32>::uninit();
-    let mut estimate = MaybeUninit::<TrunnionEstimateF32>::uninit();
+    let mut estimate = MaybeUninit::<TrunnionEstimate<f32>>::uninit();
     let (state, result) = (filled.as_mut_ptr(), estimate.as_mut_ptr());
     let odd = state.cast::<u8>().wrapping_add(1).cast();
     // SAFETY: each pointer is null, misaligned, or points to memory of its type; that this is told apart is the test.

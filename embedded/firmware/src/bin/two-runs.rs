@@ -8,7 +8,9 @@
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
 use panic_semihosting as _;
-use trunnion_solver::tilting::{Joint, TwoStep};
+use trunnion_solver::Real;
+use trunnion_solver::lstsq::student_t_95;
+use trunnion_solver::tilting::{Estimate, Joint, Lengths, TwoStep};
 
 #[entry]
 fn main() -> ! {
@@ -22,49 +24,52 @@ fn main() -> ! {
 
 /// In `f32`, which the processor calculates with by itself. Every call answers with a status; here each is only named.
 fn single() -> Result<(), &'static str> {
-    let radius = runs::RADIUS as f32;
-    let mut joint = Joint::new(radius).map_err(|_| "radius")?;
-    let mut two_step = TwoStep::new(radius).map_err(|_| "radius")?;
+    let lengths = Lengths { r: runs::RADIUS as f32 };
+    let mut joint = Joint::new(lengths).map_err(|_| "the radius is no length")?;
+    let mut two_step = TwoStep::new(lengths).map_err(|_| "the radius is no length")?;
     for sample in runs::turn() {
-        let (a, known) = (sample.angle as f32, sample.known.map(|v| v as f32));
-        joint.push_tilting(a, sample.tilting as f32, known).map_err(|_| "tilting sample")?;
+        let (a, [y_a, z_a]) = (sample.angle as f32, sample.known.map(|v| v as f32));
+        joint.push_tilting(a, sample.tilting as f32, y_a, z_a).map_err(|_| "tilting sample")?;
         joint.push_separation(a, sample.separation as f32).map_err(|_| "separation sample")?;
-        two_step.push_tilting(a, sample.tilting as f32, known).map_err(|_| "tilting sample")?;
+        two_step.push_tilting(a, sample.tilting as f32, y_a, z_a).map_err(|_| "tilting sample")?;
         two_step.push_separation(a, sample.separation as f32).map_err(|_| "separation sample")?;
     }
     let joint = joint.solve().map_err(|_| "the samples do not separate the coefficients")?;
     let two_step = two_step.solve().map_err(|_| "the samples do not separate the coefficients")?;
     for degree in (0_u16..=360).step_by(30) {
         let a = f32::from(degree).to_radians();
-        print("f32 joint", degree, joint.eps_xa(a).zip(joint.band(a)))?;
-        print("f32 two-step", degree, two_step.eps_xa(a).zip(two_step.band(a)))?;
+        print("f32 joint", degree, &joint, a)?;
+        print("f32 two-step", degree, &two_step, a)?;
     }
     Ok(())
 }
 
 /// The same in `f64`, which this processor calculates with in software, some ten times slower.
 fn double() -> Result<(), &'static str> {
-    let mut joint = Joint::new(runs::RADIUS).map_err(|_| "radius")?;
-    let mut two_step = TwoStep::new(runs::RADIUS).map_err(|_| "radius")?;
+    let lengths = Lengths { r: runs::RADIUS };
+    let mut joint = Joint::new(lengths).map_err(|_| "the radius is no length")?;
+    let mut two_step = TwoStep::new(lengths).map_err(|_| "the radius is no length")?;
     for sample in runs::turn() {
-        joint.push_tilting(sample.angle, sample.tilting, sample.known).map_err(|_| "tilting sample")?;
+        let [y_a, z_a] = sample.known;
+        joint.push_tilting(sample.angle, sample.tilting, y_a, z_a).map_err(|_| "tilting sample")?;
         joint.push_separation(sample.angle, sample.separation).map_err(|_| "separation sample")?;
-        two_step.push_tilting(sample.angle, sample.tilting, sample.known).map_err(|_| "tilting sample")?;
+        two_step.push_tilting(sample.angle, sample.tilting, y_a, z_a).map_err(|_| "tilting sample")?;
         two_step.push_separation(sample.angle, sample.separation).map_err(|_| "separation sample")?;
     }
     let joint = joint.solve().map_err(|_| "the samples do not separate the coefficients")?;
     let two_step = two_step.solve().map_err(|_| "the samples do not separate the coefficients")?;
     for degree in (0_u16..=360).step_by(30) {
         let a = f64::from(degree).to_radians();
-        print("f64 joint", degree, joint.eps_xa(a).zip(joint.band(a)))?;
-        print("f64 two-step", degree, two_step.eps_xa(a).zip(two_step.band(a)))?;
+        print("f64 joint", degree, &joint, a)?;
+        print("f64 two-step", degree, &two_step, a)?;
     }
     Ok(())
 }
 
 /// ε_xa in µrad, and half the width of its 95 % band.
-fn print<T: Into<f64>>(estimator: &str, degree: u16, values: Option<((T, T), T)>) -> Result<(), &'static str> {
-    let ((eps, _), band) = values.ok_or("the estimate is not finite")?;
+fn print<T: Real + Into<f64>>(estimator: &str, degree: u16, estimate: &Estimate<T>, a: T) -> Result<(), &'static str> {
+    let (eps, std) = estimate.e_xa(a).map_err(|_| "the estimate is not finite")?;
+    let band = student_t_95::<T>(estimate.solution.degrees_of_freedom) * std;
     hprintln!("{} {} = {:.9} {:.9}", estimator, degree, eps.into() * 1e6, band.into() * 1e6);
     Ok(())
 }
