@@ -16,6 +16,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let file = catalogue::source(name).ok_or("not in the catalogue")?;
     let (model, derivation) = read_and_derive(file).map_err(|p| render(name, file, &p, Colour::Off))?;
     fs::write(out.join("tilting_table_a.rs"), model_source(&model, &derivation, &support)?)?;
-    fs::write(out.join("exechon.rs"), source(&exechon::functions()?, "exechon", &support))?;
+    if env::var_os("CARGO_FEATURE_EXECHON").is_some() {
+        fs::write(out.join("exechon.rs"), source(&exechon::functions()?, "exechon", &support))?;
+    }
     Ok(())
 }

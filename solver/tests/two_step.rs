@@ -1,166 +1,236 @@
-//! Two steps against brute force: the whole linear map from readings to estimates, made of dense pseudo-inverses, and the readings'
-//! covariance put through it.
+//! Two steps against the dense linear map from readings to estimates, and the covariance of the readings pushed through it.
 
 use nalgebra::{DMatrix, DVector, SVector};
 use proptest::prelude::*;
 use trunnion_solver::lstsq::{Factor, Order, OrderError, SolveError, Step, TwoStepError};
 
-const P: usize = 7;
-/// Of the base parameters the first four are the first step's.
-const FIRST: usize = 4;
+const P: usize = 6;
+type Row = [f64; P];
 
-/// A run: which step, which base parameters it sees, its samples' regressors and readings.
-#[derive(Clone, Debug)]
-struct Run {
-    step: Step,
-    seen: [bool; P],
-    samples: Vec<([f64; P], f64)>,
+/// A run's samples: regressors at the base parameters' positions (zero where the run does not see one), reading, weight.
+type Run = Vec<(Row, f64, f64)>;
+
+/// The runs of both steps, and what each step is about.
+#[derive(Debug)]
+struct Model {
+    steps: [Vec<Run>; 2],
+    first: Vec<usize>,
+    own: Vec<usize>,
+    given: Vec<usize>,
 }
 
-impl Run {
-    /// The full row of a sample.
-    fn row(&self, regressors: &[f64; P]) -> [f64; P] {
-        core::array::from_fn(|b| if self.seen[b] { regressors[b] } else { 0.0 })
+impl Model {
+    /// Runs that see the base parameters of their masks. What none sees is added to the last.
+    fn new(first: &[[bool; P]], second: &[[bool; P]], seed: u64) -> Self {
+        let mut state = seed;
+        let mut uniform = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        let mut masks = [first.to_vec(), second.to_vec()];
+        let seen = |masks: &[[bool; P]], b: usize| masks.iter().any(|mask| mask[b]);
+        let unseen = |b| !seen(first, b) && !seen(second, b);
+        let last = masks[1].last_mut().unwrap();
+        (0..P).filter(|&b| unseen(b)).for_each(|b| last[b] = true);
+        let at = |wanted: &dyn Fn(usize) -> bool| (0..P).filter(|&b| wanted(b)).collect::<Vec<_>>();
+        let (in_first, in_second) = (|b| seen(&masks[0], b), |b| seen(&masks[1], b));
+        let [first, own, given] =
+            [at(&in_first), at(&|b| in_second(b) && !in_first(b)), at(&|b| in_second(b) && in_first(b))];
+        let steps = masks.map(|runs| {
+            let run = |mask: [bool; P]| -> Run {
+                let weight = 1.0 + 0.9 * uniform();
+                (0..2 * P).map(|_| (mask.map(|sees| if sees { uniform() } else { 0.0 }), uniform(), weight)).collect()
+            };
+            runs.into_iter().map(run).collect()
+        });
+        Self { steps, first, own, given }
     }
-}
 
-fn run(step: Step) -> impl Strategy<Value = Run> {
-    let sample = (prop::array::uniform7(-2.0..2.0f64), -1.0..1.0f64);
-    (prop::array::uniform7(any::<bool>()), prop::collection::vec(sample, 6..14)).prop_map(move |(mut seen, samples)| {
-        // A first-step run sees none of the second's own; every run sees one of its own step's.
-        seen[FIRST..].iter_mut().for_each(|s| *s &= step == Step::Second);
-        seen[if step == Step::First { 0 } else { FIRST }] = true;
-        Run { step, seen, samples }
-    })
-}
+    /// The factor of a step whose columns are the base parameters `at`; columns beyond are zero.
+    fn factor(&self, step: usize, at: &[usize]) -> Factor<f64, P> {
+        let mut factor = Factor::new();
+        for (row, y, weight) in self.steps[step].iter().flatten() {
+            let mut x = [0.0; P];
+            x.iter_mut().zip(at).for_each(|(x, &b)| *x = row[b]);
+            factor.push_weighted(&SVector::from(x), *y, *weight).unwrap();
+        }
+        factor
+    }
 
-/// Several runs of each step: some of the second step do not see what others are given.
-fn runs() -> impl Strategy<Value = Vec<Run>> {
-    let of = |step| prop::collection::vec(run(step), 2..4);
-    (of(Step::First), of(Step::Second)).prop_map(|(first, second)| first.into_iter().chain(second).collect())
-}
+    fn factors(&self) -> [Factor<f64, P>; 2] {
+        [self.factor(0, &self.first), self.factor(1, &[&self.own[..], &self.given].concat())]
+    }
 
-fn dense(runs: &[Run], step: Step) -> (DMatrix<f64>, DVector<f64>) {
-    let samples: Vec<_> =
-        runs.iter().filter(|r| r.step == step).flat_map(|r| r.samples.iter().map(|(x, y)| (r.row(x), *y))).collect();
-    let x = DMatrix::from_fn(samples.len(), P, |i, b| samples[i].0[b]);
-    (x, DVector::from_iterator(samples.len(), samples.iter().map(|(_, y)| *y)))
-}
+    fn order(&self) -> Order<P, P, P> {
+        Order::new(&self.first, &self.own, &self.given).unwrap()
+    }
 
-/// Coefficients, their covariance, and the two maps from readings to coefficients.
-struct Brute {
-    values: DVector<f64>,
-    covariance: DMatrix<f64>,
-    maps: [DMatrix<f64>; 2],
-}
+    fn design(&self, step: usize, at: &[usize]) -> DMatrix<f64> {
+        let rows: Vec<&Row> = self.steps[step].iter().flatten().map(|(row, ..)| row).collect();
+        DMatrix::from_fn(rows.len(), at.len(), |i, j| rows[i][at[j]])
+    }
 
-/// `None` where a step's design is nearly singular.
-fn brute(runs: &[Run]) -> Option<Brute> {
-    let ((x1, y1), (x2, y2)) = (dense(runs, Step::First), dense(runs, Step::Second));
-    let (k, e, given) = (x1.columns(0, FIRST), x2.columns(FIRST, P - FIRST), x2.columns(0, FIRST));
-    let inverse = |x: DMatrix<f64>| {
-        let svd = x.svd(true, true);
-        let values = &svd.singular_values;
-        (values.min() > 1e-3 * values.max()).then(|| svd.pseudo_inverse(0.0).ok()).flatten()
-    };
-    let (k_of, e_of) = (inverse(k.into_owned())?, inverse(e.into_owned())?);
-    let gain = -&e_of * given;
-    let mut first = DMatrix::zeros(P, y1.len());
-    first.rows_mut(0, FIRST).copy_from(&k_of);
-    first.rows_mut(FIRST, P - FIRST).copy_from(&(&gain * &k_of));
-    let mut second = DMatrix::zeros(P, y2.len());
-    second.rows_mut(FIRST, P - FIRST).copy_from(&e_of);
-    let values = &first * &y1 + &second * &y2;
-    let variance = |x: &DMatrix<f64>, y: &DVector<f64>, columns: usize| {
-        (y - x * &values).norm_squared() / (y.len() - columns) as f64
-    };
-    let covariance = &first * first.transpose() * variance(&x1, &y1, FIRST)
-        + &second * second.transpose() * variance(&x2, &y2, P - FIRST);
-    Some(Brute { values, covariance, maps: [first, second] })
-}
+    fn readings(&self, step: usize) -> DVector<f64> {
+        DVector::from_iterator(self.weights(step).len(), self.steps[step].iter().flatten().map(|s| s.1))
+    }
 
-/// The second step's own columns first, then all that the first gives.
-const ORDER: Order<P, P, P> = match Order::new(&[0, 1, 2, 3], &[4, 5, 6], &[0, 1, 2, 3]) {
-    Ok(order) => order,
-    Err(_) => panic!("an order of two steps"),
-};
+    fn weights(&self, step: usize) -> DVector<f64> {
+        DVector::from_vec(self.steps[step].iter().flatten().map(|s| s.2).collect())
+    }
 
-fn factors(runs: &[Run]) -> [Factor<f64, P>; 2] {
-    let (mut first, mut second) = (Factor::<f64, P>::new(), Factor::<f64, P>::new());
-    for run in runs {
-        for (x, y) in &run.samples {
-            let row = run.row(x);
-            match run.step {
-                Step::First => first.push(&SVector::from(row), *y),
-                Step::Second => second.push(&SVector::from_fn(|i, _| row[(i + FIRST) % P]), *y),
-            }
-            .unwrap();
+    /// The map from the readings of one step to the coefficients it estimates, its given columns being known.
+    fn pseudo_inverse(&self, step: usize, at: &[usize]) -> DMatrix<f64> {
+        let root = DMatrix::from_diagonal(&self.weights(step).map(f64::sqrt));
+        match at {
+            [] => DMatrix::zeros(0, root.ncols()),
+            _ => (&root * self.design(step, at)).pseudo_inverse(1e-12).unwrap() * root,
         }
     }
-    [first, second]
+
+    /// The whole linear map, for each step a matrix of P rows: d estimate / d readings.
+    fn map(&self) -> [DMatrix<f64>; 2] {
+        let k = self.pseudo_inverse(0, &self.first);
+        let e = self.pseudo_inverse(1, &self.own);
+        let mut maps = [DMatrix::zeros(P, k.ncols()), DMatrix::zeros(P, e.ncols())];
+        let all_k = {
+            let mut all = DMatrix::zeros(P, k.ncols());
+            self.first.iter().enumerate().for_each(|(i, &b)| all.set_row(b, &k.row(i)));
+            all
+        };
+        let given = DMatrix::from_fn(self.given.len(), k.ncols(), |i, j| all_k[(self.given[i], j)]);
+        let moved = -&e * self.design(1, &self.given) * given;
+        maps[0] = all_k;
+        for (i, &b) in self.own.iter().enumerate() {
+            maps[0].set_row(b, &moved.row(i));
+            maps[1].set_row(b, &e.row(i));
+        }
+        maps
+    }
+
+    /// Residual variance at weight one, of a step from which `n` coefficients were estimated.
+    fn variance(&self, step: usize, estimate: &DVector<f64>, n: usize) -> f64 {
+        let all: Vec<usize> = (0..P).collect();
+        let residual = self.readings(step) - self.design(step, &all) * estimate;
+        residual.component_mul(&residual).dot(&self.weights(step)) / (residual.len() - n) as f64
+    }
 }
 
-fn near(a: &DMatrix<f64>, b: &DMatrix<f64>) -> bool {
-    (a - b).amax() <= 1e-8 * (1e-6 + b.amax())
+fn near(a: &DMatrix<f64>, b: &DMatrix<f64>) {
+    assert!((a - b).amax() <= 1e-9 * b.amax().max(1e-12), "{a} {b}");
+}
+
+fn check(model: &Model) {
+    let (order, [first, second]) = (model.order(), model.factors());
+    let solution = order.solve(&first, &second).unwrap();
+    let map = model.map();
+    let estimate = &map[0] * model.readings(0) + &map[1] * model.readings(1);
+    near(
+        &DMatrix::from_column_slice(P, 1, solution.coefficients.as_slice()),
+        &DMatrix::from_column_slice(P, 1, estimate.as_slice()),
+    );
+
+    let variances = [model.variance(0, &estimate, model.first.len()), model.variance(1, &estimate, model.own.len())];
+    let pushed = |variances: [f64; 2]| -> DMatrix<f64> {
+        let through = |step: usize| {
+            let readings = model.weights(step).map(|w| variances[step] / w);
+            &map[step] * DMatrix::from_diagonal(&readings) * map[step].transpose()
+        };
+        through(0) + through(1)
+    };
+    near(&DMatrix::from_column_slice(P, P, solution.covariance.as_slice()), &pushed(variances));
+    assert!((solution.residual_std / variances[1].sqrt() - 1.0).abs() < 1e-9);
+    assert_eq!(solution.degrees_of_freedom, second.samples() - model.own.len() as u32);
+    let known = order.solve_with_sigma(&first, &second, 0.3).unwrap();
+    near(&DMatrix::from_column_slice(P, P, known.covariance.as_slice()), &pushed([0.09; 2]));
+    assert_eq!(known.coefficients, solution.coefficients);
+
+    let sensitivity = order.sensitivity(&first, &second).unwrap();
+    for (step, moves) in [sensitivity.first, sensitivity.second].iter().enumerate() {
+        let rows: Vec<_> = model.steps[step].iter().flatten().collect();
+        let of = |j: usize| rows[j].2 * moves * SVector::from(rows[j].0);
+        near(&DMatrix::from_fn(P, rows.len(), |i, j| of(j)[i]), &map[step]);
+    }
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn estimates_and_covariance_are_those_of_brute_force(runs in runs()) {
-        let Some(brute) = brute(&runs) else { return Ok(()) };
-        let [first, second] = factors(&runs);
-        let solution = ORDER.solve(&first, &second).unwrap();
-        let matrix = |values: &mut dyn Iterator<Item = f64>, columns| DMatrix::from_iterator(P, columns, values);
-        prop_assert!(near(&matrix(&mut solution.coefficients.iter().copied(), 1), &brute.values.columns(0, 1).into_owned()));
-        prop_assert!(near(&matrix(&mut solution.covariance.iter().copied(), P), &brute.covariance));
+    fn the_covariance_is_that_of_the_dense_map(
+        first in prop::collection::vec(prop::array::uniform6(any::<bool>()), 1..4),
+        second in prop::collection::vec(prop::array::uniform6(any::<bool>()), 1..4),
+        seed in any::<u64>(),
+    ) {
+        check(&Model::new(&first, &second, seed));
+    }
+}
 
-        let sensitivity = ORDER.sensitivity(&first, &second).unwrap();
-        for (step, of, map) in [(Step::First, sensitivity.first, &brute.maps[0]), (Step::Second, sensitivity.second, &brute.maps[1])] {
-            let (x, _) = dense(&runs, step);
-            prop_assert!(near(&(matrix(&mut of.iter().copied(), P) * x.transpose()), map));
-        }
-        let known = ORDER.solve_with_sigma(&first, &second, 2.0).unwrap();
-        let expected = brute.maps.iter().map(|m| m * m.transpose() * 4.0).sum::<DMatrix<f64>>();
-        prop_assert!(near(&matrix(&mut known.covariance.iter().copied(), P), &expected));
+/// One second-step run sees a given coefficient, the other does not: its gain comes from all samples of the step.
+#[test]
+fn a_run_need_not_see_what_the_other_is_given() {
+    let (t, f) = (true, false);
+    check(&Model::new(&[[t, t, t, f, f, f]], &[[t, t, f, t, t, t], [t, f, f, t, t, t]], 1));
+    // All that the second step sees is given; and nothing is.
+    check(&Model::new(&[[t; P]], &[[t, t, f, f, f, f]], 2));
+    check(&Model::new(&[[t, t, t, f, f, f]], &[[f, f, f, t, t, t]], 3));
+}
+
+#[test]
+fn the_given_columns_need_not_be_independent() {
+    let mut model = Model::new(&[[true, true, true, false, false, false]], &[[true; P]], 4);
+    for (row, ..) in model.steps[1].iter_mut().flatten() {
+        row[1] = row[0];
+        row[2] = 0.0;
+    }
+    check(&model);
+}
+
+#[test]
+fn a_failed_step_is_named_with_the_base_parameters() {
+    let mut model = Model::new(&[[true, true, false, false, true, false]], &[[true; P]], 5);
+    let order = model.order();
+    let [first, second] = model.factors();
+    let few = |step, needed| Some(TwoStepError { step, why: SolveError::TooFewSamples { samples: 0, needed } });
+    assert_eq!(order.solve(&Factor::new(), &second).err(), few(Step::First, 4));
+    assert_eq!(order.solve(&first, &Factor::new()).err(), few(Step::Second, 4));
+    assert_eq!(order.solve_with_sigma(&first, &Factor::new(), 1.0).err(), few(Step::Second, 3));
+    let not_finite = TwoStepError { step: Step::Second, why: SolveError::NotFinite };
+    assert_eq!(order.solve_with_sigma(&first, &second, f64::NAN), Err(not_finite));
+
+    model.steps[1].iter_mut().flatten().for_each(|(row, ..)| row[5] = row[3] - row[2]);
+    let [first, second] = model.factors();
+    for failed in [order.solve(&first, &second).err(), order.condition(&first, &second).err()] {
+        let Some(TwoStepError { step: Step::Second, why: SolveError::RankDeficient(confounded) }) = failed else {
+            panic!("{failed:?}")
+        };
+        assert!(confounded.involved.iter().eq([2, 3, 5]));
+        assert_eq!((confounded.pivot, confounded.rank, confounded.columns), (5, 2, 3));
     }
 }
 
 #[test]
-fn what_is_given_need_not_be_told_apart_by_the_second_step() {
-    let (mut first, mut second) = (Factor::<f64, 2>::new(), Factor::<f64, 3>::new());
-    let order = Order::<3, 2, 3>::new(&[1, 2], &[0], &[1, 2]).unwrap();
-    for i in 0..10 {
-        let x = f64::from(i);
-        first.push(&SVector::from([1.0, x]), 0.5 + x).unwrap();
-        second.push(&SVector::from([x * x, 1.0, 1.0]), 3.0 * x * x + 1.5).unwrap();
-    }
-    let solution = order.solve(&first, &second).unwrap();
-    assert!((solution.coefficients - SVector::from([3.0, 0.5, 1.0])).amax() < 1e-12);
-    assert!(matches!(second.solve(), Err(SolveError::RankDeficient(_))));
+fn the_condition_is_that_of_the_worse_step() {
+    let mut model = Model::new(&[[true, true, false, false, true, false]], &[[true; P]], 6);
+    let of = |model: &Model| model.order().condition(&model.factors()[0], &model.factors()[1]).unwrap();
+    // Half the samples nearly alike in two columns.
+    model.steps[0].iter_mut().flatten().for_each(|(row, ..)| row[4] = row[1] + 1e-3 * row[4]);
+    let first = of(&model);
+    assert!(first.number > 1e3 && first.weakest.iter().eq([1, 4]));
+    model.steps[1].iter_mut().flatten().for_each(|(row, ..)| row[5] = row[3] + 1e-5 * row[5]);
+    let second = of(&model);
+    assert!(second.number > 1e5 && second.weakest.iter().eq([3, 5]));
 }
 
 #[test]
-fn a_step_that_fails_is_named_with_its_base_parameters() {
-    let order = Order::<3, 2, 2>::new(&[1, 2], &[0], &[2]).unwrap();
-    let (mut first, mut second) = (Factor::<f64, 2>::new(), Factor::<f64, 2>::new());
-    for _ in 0..5 {
-        first.push(&SVector::from([1.0, 2.0]), 1.0).unwrap();
-        second.push(&SVector::from([1.0, 0.0]), 1.0).unwrap();
-    }
-    let TwoStepError { step, why } = order.solve(&first, &second).unwrap_err();
-    let SolveError::RankDeficient(confounded) = why else { panic!("{why:?}") };
-    assert_eq!((step, confounded.involved.iter().collect::<Vec<_>>()), (Step::First, vec![1, 2]));
-    let few = order.solve(&Factor::new(), &second).unwrap_err();
-    assert!(matches!(few, TwoStepError { step: Step::First, why: SolveError::TooFewSamples { samples: 0, .. } }));
-}
-
-#[test]
-fn an_order_that_is_none_is_refused_by_name() {
-    assert_eq!(Order::<2, 1, 1>::new(&[0], &[0], &[]), Err(OrderError::Repeated(0)));
-    assert_eq!(Order::<3, 1, 1>::new(&[0], &[1], &[]), Err(OrderError::Missing(2)));
-    assert_eq!(Order::<2, 1, 2>::new(&[0], &[1], &[1]), Err(OrderError::NotEstimated(1)));
-    assert_eq!(Order::<2, 1, 1>::new(&[2], &[1], &[]), Err(OrderError::OutOfRange(2)));
-    assert_eq!(Order::<2, 1, 1>::new(&[0], &[1], &[0]), Err(OrderError::TooWide));
+fn an_order_covers_each_base_parameter_once() {
+    type Narrow = Order<4, 2, 3>;
+    assert!(Narrow::new(&[2, 3], &[0, 1], &[3]).is_ok());
+    assert_eq!(Narrow::new(&[2, 3], &[0, 1], &[3, 2]), Err(OrderError::TooWide));
+    assert_eq!(Narrow::new(&[1, 2, 3], &[0], &[]), Err(OrderError::TooWide));
+    assert_eq!(Narrow::new(&[2, 4], &[0, 1], &[]), Err(OrderError::OutOfRange(4)));
+    assert_eq!(Narrow::new(&[2, 3], &[0, 1], &[4]), Err(OrderError::OutOfRange(4)));
+    assert_eq!(Narrow::new(&[2, 3], &[0, 3], &[]), Err(OrderError::Repeated(3)));
+    assert_eq!(Narrow::new(&[2, 3], &[0], &[3, 3]), Err(OrderError::Missing(1)));
+    assert_eq!(Order::<3, 2, 3>::new(&[2, 1], &[0], &[1, 1]), Err(OrderError::Repeated(1)));
+    assert_eq!(Narrow::new(&[2, 3], &[0, 1], &[0]), Err(OrderError::NotEstimated(0)));
 }

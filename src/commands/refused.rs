@@ -98,7 +98,7 @@ fn estimate(error: &EstimateError) -> String {
             "two-step needs a run that does not see an estimated function\n  use --estimator joint".to_owned()
         }
         EstimateError::TooManyCoefficients(count) => format!(
-            "{count} coefficients where at most {LARGEST} can be fitted together\n  use --estimator two-step or simpler functions"
+            "{count} coefficients where at most {LARGEST} can be fitted together\n  leave runs out or use simpler functions"
         ),
         other => other.to_string(),
     }

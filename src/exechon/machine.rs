@@ -115,7 +115,7 @@ fn line_of(text: &str, problem: &MachineError) -> usize {
         MachineError::HomeSingular => ("[home]", Dimension::HomeA.name()),
         MachineError::EmptyRange(Limit::A) => ("[limits]", "a_deg"),
         MachineError::EmptyRange(Limit::C) => ("[limits]", "c_deg"),
-        MachineError::EmptyRange(_) => ("[limits]", "strut_mm"),
+        _ => ("[limits]", "strut_mm"),
     };
     let from = text.lines().position(|line| line.trim() == section).unwrap_or(0);
     let key = text.lines().skip(from).position(|line| line.trim_start().starts_with(key)).unwrap_or(0);

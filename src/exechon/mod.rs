@@ -74,7 +74,7 @@ impl PointError {
                 "expected a direction of length 1 to 6 digits: divide it by its length, and write all its digits"
             }
             Self::Target(TargetError::ZeroDirection) => "expected the tool's direction i,j,k, of length 1",
-            Self::Target(TargetError::NotFinite(_)) => "expected numbers such as 12.5",
+            Self::Target(_) => "expected numbers such as 12.5",
             Self::Kinematics(KinematicsError::Singular(_)) => {
                 "move the point or tilt the tool away from the singularity"
             }

@@ -41,7 +41,7 @@ pub enum EstimateError {
     NoFirstStep,
     /// More coefficients than the solver is built for.
     #[error(
-        "{0} coefficients where at most {LARGEST} can be fitted together\n  use the two-step estimator or simpler functions"
+        "{0} coefficients where at most {LARGEST} can be fitted together\n  leave runs out or use simpler functions"
     )]
     TooManyCoefficients(usize),
 }

@@ -64,7 +64,7 @@ impl Unsolved {
         match error {
             SolveError::TooFewSamples { samples, needed } => Self::TooFew { step, samples, needed },
             SolveError::RankDeficient(c) => Self::Confounded { step, coefficients: c.involved.iter().collect() },
-            SolveError::NotFinite => Self::NotFinite,
+            _ => Self::NotFinite,
         }
     }
 }

@@ -30,6 +30,7 @@ pub use value::{at, nominal_value};
 
 /// Why an exact computation could not be carried out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum AlgebraError {
     /// A rational coefficient left the range of 126-bit numerators and denominators.
     CoefficientOverflow,

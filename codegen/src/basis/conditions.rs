@@ -12,6 +12,7 @@ pub struct Condition {
 
 /// Why there is no basis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoBasis {
     /// Only f = 0 satisfies the conditions at this degree.
     OnlyZero,
@@ -26,6 +27,18 @@ impl From<AlgebraError> for NoBasis {
         Self::Algebra(e)
     }
 }
+
+impl core::fmt::Display for NoBasis {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::OnlyZero => f.write_str("no function of this degree but zero satisfies the conditions"),
+            Self::NotPolynomial => f.write_str("the conditions divide by a sum of constants"),
+            Self::Algebra(e) => core::fmt::Display::fmt(e, f),
+        }
+    }
+}
+
+impl core::error::Error for NoBasis {}
 
 /// A basis of the polynomials of degree ≤ `degree` that satisfy `conditions`, highest degree first.
 ///

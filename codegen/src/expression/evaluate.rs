@@ -6,6 +6,7 @@ use crate::source::Span;
 
 /// What is wrong with a well-formed expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Meaning {
     /// A name that is neither a constant of the model nor the run's sweep.
     UnknownName(String),
@@ -22,6 +23,22 @@ pub enum Meaning {
     /// An exact computation failed.
     Algebra(AlgebraError),
 }
+
+impl core::fmt::Display for Meaning {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::UnknownName(name) => write!(f, "unknown name `{name}`"),
+            Self::UnknownFunction(name) => write!(f, "unknown function `{name}`"),
+            Self::NotAnAngle => f.write_str("not an angle with an exact sine and cosine"),
+            Self::Divisor => f.write_str("division by a sum"),
+            Self::Exponent => f.write_str("an exponent is a whole number from 0 to 20"),
+            Self::Root => f.write_str("only square roots of n² and 2n² are exact here"),
+            Self::Algebra(e) => core::fmt::Display::fmt(e, f),
+        }
+    }
+}
+
+impl core::error::Error for Meaning {}
 
 /// What is wrong, and where in the expression.
 pub type EvaluationError = (Span, Meaning);

@@ -52,6 +52,7 @@ pub struct SyntaxError {
 
 /// What the parser was looking for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Expected {
     /// A number, a name, a function call or a parenthesis.
     Operand,
@@ -66,3 +67,24 @@ pub enum Expected {
     /// Exactly one `=`.
     Equation,
 }
+
+impl core::fmt::Display for Expected {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Operand => "expected a number, a name, a function or a parenthesis here",
+            Self::Operator => "expected an operator or the end here",
+            Self::Closing => "expected `)` here",
+            Self::ShorterNumber => "a number has at most 30 digits",
+            Self::ShallowerNesting => "nested too deeply",
+            Self::Equation => "expected one `=`",
+        })
+    }
+}
+
+impl core::fmt::Display for SyntaxError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "column {}: {}", self.span.start + 1, self.expected)
+    }
+}
+
+impl core::error::Error for SyntaxError {}

@@ -21,6 +21,7 @@ enum Operation {
 
 /// The slice for the inputs or the outputs is of the wrong length.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum WrongLength {
     /// One value for each input is wanted.
     Inputs {

@@ -59,6 +59,7 @@ pub struct DerivedRun {
 
 /// Why there is no measurement model.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum DeriveError {
     /// A run has no reading, and why.
     Reading(RunId, ReadingError),
@@ -75,3 +76,16 @@ impl From<AlgebraError> for DeriveError {
         Self::Algebra(e)
     }
 }
+
+impl core::fmt::Display for DeriveError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Reading(run, e) => write!(f, "run {run}: {e}"),
+            Self::NoBasis(seen) => write!(f, "nothing is assumed of {} motion errors that runs see", seen.len()),
+            Self::UnknownParameter(text) => write!(f, "`{}` is not a parameter that the runs see", text.value),
+            Self::Algebra(e) => core::fmt::Display::fmt(e, f),
+        }
+    }
+}
+
+impl core::error::Error for DeriveError {}

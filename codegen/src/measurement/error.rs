@@ -4,6 +4,7 @@ use crate::algebra::{AlgebraError, Monomial, Order, Poly, Rational};
 
 /// Why a run has no reading.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ReadingError {
     /// The nominal distance of the balls is not the bar's length: what it is instead.
     NotTheBar(Length),
@@ -18,6 +19,18 @@ impl From<AlgebraError> for ReadingError {
         Self::Algebra(e)
     }
 }
+
+impl core::fmt::Display for ReadingError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::NotTheBar(_) => f.write_str("the balls are nominally not the bar's length apart"),
+            Self::NotTogether(_) => f.write_str("the balls are nominally not together"),
+            Self::Algebra(e) => core::fmt::Display::fmt(e, f),
+        }
+    }
+}
+
+impl core::error::Error for ReadingError {}
 
 /// The nominal distance of the balls.
 #[derive(Clone, Debug, PartialEq, Eq)]

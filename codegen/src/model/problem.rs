@@ -17,6 +17,7 @@ pub struct Problem {
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ProblemKind {
     /// The file is no TOML: the reader's words.
     Toml(String),
@@ -103,14 +104,10 @@ impl fmt::Display for ProblemKind {
             Self::NotAConstant(name) => write!(f, "`{name}` is not a constant of this model"),
             Self::FourierOfLength => write!(f, "a Fourier sum needs an angle, this axis is linear"),
             Self::NothingToEstimate(name) => write!(f, "`{name}` has no basis to be estimated in"),
-            Self::Syntax(expected) => syntax(*expected, f),
-            Self::Meaning(meaning) => write_meaning(meaning, f),
+            Self::Syntax(expected) => fmt::Display::fmt(expected, f),
+            Self::Meaning(meaning) => fmt::Display::fmt(meaning, f),
             Self::NotACondition => write!(f, "not a linear homogeneous condition on f"),
-            Self::NoBasis(NoBasis::OnlyZero) => {
-                write!(f, "no function of this degree but zero satisfies the conditions")
-            }
-            Self::NoBasis(NoBasis::NotPolynomial) => write!(f, "the conditions divide by a sum of constants"),
-            Self::NoBasis(NoBasis::Algebra(e)) => fmt::Display::fmt(e, f),
+            Self::NoBasis(why) => fmt::Display::fmt(why, f),
             Self::NoRuns => write!(f, "the model has no run"),
             Self::NoAngle(letter, other, axis) => {
                 write!(f, "a rotation {letter} does not change the angle between {other} and {axis}")
@@ -129,6 +126,16 @@ impl fmt::Display for ProblemKind {
         }
     }
 }
+
+impl core::error::Error for ProblemKind {}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.kind, f)
+    }
+}
+
+impl core::error::Error for Problem {}
 
 impl ProblemKind {
     /// True for what another problem may have caused: a name that is not there, a place without a value.
@@ -226,27 +233,4 @@ impl ProblemKind {
 
 fn list(known: &[&str]) -> String {
     known.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", ")
-}
-
-fn syntax(expected: Expected, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    f.write_str(match expected {
-        Expected::Operand => "expected a number, a name, a function or a parenthesis here",
-        Expected::Operator => "expected an operator or the end here",
-        Expected::Closing => "expected `)` here",
-        Expected::ShorterNumber => "a number has at most 30 digits",
-        Expected::ShallowerNesting => "nested too deeply",
-        Expected::Equation => "expected one `=`",
-    })
-}
-
-fn write_meaning(meaning: &Meaning, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    match meaning {
-        Meaning::UnknownName(name) => write!(f, "unknown name `{name}`"),
-        Meaning::UnknownFunction(name) => write!(f, "unknown function `{name}`"),
-        Meaning::NotAnAngle => write!(f, "not an angle with an exact sine and cosine"),
-        Meaning::Divisor => write!(f, "division by a sum"),
-        Meaning::Exponent => write!(f, "an exponent is a whole number from 0 to 20"),
-        Meaning::Root => write!(f, "only square roots of n² and 2n² are exact here"),
-        Meaning::Algebra(e) => fmt::Display::fmt(e, f),
-    }
 }

@@ -38,8 +38,8 @@ impl From<ImpossibleLength> for TrunnionStatus {
 impl From<Rejected> for TrunnionStatus {
     fn from(why: Rejected) -> Self {
         match why {
-            Rejected::NotFinite | Rejected::Weight => Self::NotFinite,
             Rejected::Overflow => Self::Overflow,
+            _ => Self::NotFinite,
         }
     }
 }
@@ -49,7 +49,7 @@ impl<const P: usize> From<SolveError<P>> for TrunnionStatus {
         match why {
             SolveError::TooFewSamples { .. } => Self::TooFewSamples,
             SolveError::RankDeficient(_) => Self::Confounded,
-            SolveError::NotFinite => Self::NotFinite,
+            _ => Self::NotFinite,
         }
     }
 }

@@ -4,6 +4,7 @@ use core::{error, fmt};
 
 /// Why points have no circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CircleError {
     /// Fewer than three points.
     TooFewPoints {

@@ -30,6 +30,7 @@ pub enum Dimension {
 
 /// Why dimensions make no machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MachineError {
     /// NaN or infinite.
     NotFinite(Dimension),
@@ -45,6 +46,7 @@ pub enum MachineError {
 
 /// Why a point and a direction are no target.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum TargetError<T> {
     /// NaN or infinite.
     NotFinite(Input),
@@ -85,6 +87,7 @@ pub enum Singularity {
 
 /// Why a pose has no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum KinematicsError<T> {
     /// NaN or infinite.
     NotFinite(Input),
@@ -115,6 +118,7 @@ pub enum KinematicsError<T> {
 
 /// Why the dependent rotation is undefined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum RotationError {
     /// The tool points opposite to its direction at home: every way there is as short.
     Opposite,

@@ -5,6 +5,7 @@ use core::{error, fmt};
 
 /// Why a sample, or a factor to merge, was not taken. The factor is as it was before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Rejected {
     /// A regressor or the measured value is NaN or infinite.
     NotFinite,
@@ -29,6 +30,7 @@ pub struct Confounded<const P: usize> {
 
 /// Why a factor has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SolveError<const P: usize> {
     /// Fewer samples than the coefficients and the residual need.
     TooFewSamples {
@@ -89,18 +91,47 @@ impl fmt::Display for Rejected {
     }
 }
 
-impl<const P: usize> fmt::Display for SolveError<P> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+/// An error with the names of the coefficients, for people.
+#[derive(Clone, Copy, Debug)]
+pub struct Named<'a, const P: usize> {
+    error: &'a SolveError<P>,
+    names: &'a [&'static str; P],
+}
+
+impl<const P: usize> SolveError<P> {
+    /// To be shown with the names of the coefficients, such as a model's `NAMES`, in the place of positions.
+    pub fn named<'a>(&'a self, names: &'a [&'static str; P]) -> Named<'a, P> {
+        Named { error: self, names }
+    }
+
+    /// `each` writes one coefficient of those that are not told apart.
+    fn write(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        each: impl Fn(&mut fmt::Formatter<'_>, usize) -> fmt::Result,
+    ) -> fmt::Result {
         match self {
             Self::TooFewSamples { samples, needed } => {
-                write!(f, "{samples} samples where at least {needed} are needed")
+                write!(f, "{samples} samples where at least {needed} are needed: measure at more places")
             }
             Self::RankDeficient(c) => {
-                write!(f, "rank {} of {}; the data do not separate coefficients", c.rank, c.columns)?;
-                c.involved.iter().try_for_each(|i| write!(f, " {i}"))
+                write!(f, "the samples do not tell apart (rank {} of {}):", c.rank, c.columns)?;
+                c.involved.iter().try_for_each(|i| each(f, i))
             }
-            Self::NotFinite => f.write_str("a value is not a finite number"),
+            Self::NotFinite => f.write_str("a value is not a finite number: check the readings and their units"),
         }
+    }
+}
+
+impl<const P: usize> fmt::Display for SolveError<P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, |f, i| write!(f, " {i}"))
+    }
+}
+
+impl<const P: usize> fmt::Display for Named<'_, P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.error.write(f, |f, i| write!(f, " {}", self.names.get(i).copied().unwrap_or("?")))
     }
 }
 

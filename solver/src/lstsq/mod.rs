@@ -55,7 +55,7 @@ mod triangle;
 mod two_step;
 
 pub use condition::Condition;
-pub use error::{Confounded, Rejected, SolveError, Step, TwoStepError};
+pub use error::{Confounded, Named, Rejected, SolveError, Step, TwoStepError};
 pub use factor::Factor;
 pub use order::{Order, OrderError};
 pub use real::Real;

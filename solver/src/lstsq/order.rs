@@ -27,6 +27,7 @@ pub struct Order<const P: usize, const F: usize, const S: usize> {
 
 /// Why columns are not those of two steps; numbers are positions of base parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OrderError {
     /// More columns than a factor has.
     TooWide,

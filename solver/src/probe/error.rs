@@ -4,6 +4,7 @@ use core::{error, fmt};
 
 /// Why touches give no offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ProbeError {
     /// A value is NaN or infinite.
     NotFinite,
