@@ -9,7 +9,7 @@
 use super::setup::Setup;
 use rand::{Rng, RngExt};
 use trunnion_codegen::algebra::{ErrorId, Quantity};
-use trunnion_codegen::basis::{Basis, Univariate};
+use trunnion_codegen::basis::{Arithmetic, Basis, Univariate};
 use trunnion_codegen::identify::{Origin, Parameter};
 use trunnion_codegen::ids::{BaseId, ParameterId};
 use trunnion_codegen::kinematics::ErrorValues;
@@ -149,29 +149,43 @@ pub fn draw(setup: &Setup, runs: &[ExactReading], limits: ErrorLimits, random: &
 pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<ErrorShape> {
     let Some((axis, _)) = setup.model.axis_of(error) else { return vec![ErrorShape::Constant(1.0)] };
     let kind = setup.model.axis(axis).map_or(AxisKind::Linear, |a| a.kind);
-    let wave = |k: usize, at: usize, cos: bool| {
-        let mut waves = vec![(0.0, 0.0); k];
-        waves[at - 1] = if cos { (1.0, 0.0) } else { (0.0, 1.0) };
-        waves
-    };
+    let mut shapes = Shapes(setup);
     match (setup.model.function(error).map(|(_, f)| &f.basis), kind) {
         (Some(Basis::Zero), _) => Vec::new(),
-        (Some(Basis::Polynomials(p)), _) => {
-            let number = |u: &Univariate| u.coefficients(&setup.model.alphabet, &|n| setup.constant(n));
-            p.iter().map(|u| ErrorShape::Polynomial(number(u))).collect()
+        (Some(Basis::Functions(functions)), _) => functions.iter().map(|f| f.of(&mut shapes)).collect(),
+        (None | Some(Basis::Known), AxisKind::Linear) => {
+            [1, 2].map(|n| shapes.polynomial(&Univariate::power(n))).into()
         }
-        (Some(Basis::Fourier(n)), _) => {
-            let n = usize::from(*n);
-            (1..=n).flat_map(|k| [true, false].map(|cos| ErrorShape::Harmonics(0.0, wave(n, k, cos)))).collect()
+        (None | Some(Basis::Known), AxisKind::Rotary) => {
+            let less_one = |cosine| sum(vec![cosine, ErrorShape::Harmonics(-1.0, Vec::new())]);
+            [1, 2].into_iter().flat_map(|k| [less_one(shapes.cosine(k)), shapes.sine(k)]).collect()
         }
-        (_, AxisKind::Linear) => {
-            vec![ErrorShape::Polynomial(vec![0.0, 1.0]), ErrorShape::Polynomial(vec![0.0, 0.0, 1.0])]
-        }
-        (_, AxisKind::Rotary) => (1..=2)
-            .flat_map(|k| {
-                [ErrorShape::Harmonics(-1.0, wave(2, k, true)), ErrorShape::Harmonics(0.0, wave(2, k, false))]
-            })
-            .collect(),
+    }
+}
+
+/// Functions of a coordinate as shapes.
+struct Shapes<'a>(&'a Setup);
+
+impl Shapes<'_> {
+    fn wave(&self, multiple: u8, wave: (f64, f64)) -> ErrorShape {
+        let below = (1..multiple).map(|_| (0.0, 0.0));
+        ErrorShape::Harmonics(0.0, below.chain([wave]).collect())
+    }
+}
+
+impl Arithmetic for Shapes<'_> {
+    type Value = ErrorShape;
+
+    fn polynomial(&mut self, f: &Univariate) -> ErrorShape {
+        ErrorShape::Polynomial(f.coefficients(&self.0.model.alphabet, &|n| self.0.constant(n)))
+    }
+
+    fn cosine(&mut self, multiple: u8) -> ErrorShape {
+        self.wave(multiple, (1.0, 0.0))
+    }
+
+    fn sine(&mut self, multiple: u8) -> ErrorShape {
+        self.wave(multiple, (0.0, 1.0))
     }
 }
 

@@ -7,7 +7,6 @@ use super::neglected::neglected;
 use super::setup::{Setup, SetupError, coordinate};
 use super::warning::{Warning, warnings};
 use trunnion_codegen::algebra::{Nominal, Poly};
-use trunnion_codegen::basis::Basis;
 use trunnion_codegen::ids::BaseId;
 use trunnion_codegen::quantity::{Quantity, Unit};
 
@@ -95,13 +94,8 @@ pub fn coefficient_unit(setup: &Setup, base: BaseId) -> String {
         let function = coefficient.function;
         let Some(axis) = setup.axis(function) else { return String::new() };
         let (value, per) = (setup.quantity(function).inner(), coordinate(axis).inner());
-        return match &setup.model.functions[function].basis {
-            Basis::Polynomials(p) => {
-                let degree = p.get(usize::from(coefficient.term)).map_or(0, |u| u.0.len().saturating_sub(1));
-                format!("{value}/{per}^{degree}")
-            }
-            _ => value.to_string(),
-        };
+        let term = &setup.model.functions[function].basis.functions()[coefficient.term];
+        return term.coefficient_unit(&value.to_string(), &per.to_string());
     }
     let run = &setup.derivation.runs[b.run];
     let regressor = run.regressors.iter().find(|(i, _)| *i == base).map(|(_, r)| r);

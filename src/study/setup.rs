@@ -7,7 +7,7 @@ use trunnion_codegen::catalogue;
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
 use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, derive};
-use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId, TermId};
+use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId};
 use trunnion_codegen::model::{self, Axis, AxisKind, Model, Problem, ReadingKind};
 use trunnion_codegen::problems::of_derivation;
 use trunnion_codegen::quantity::Quantity;
@@ -166,7 +166,7 @@ impl Setup {
     pub fn basis(&self, function: FunctionId, x: f64) -> Vec<(BaseId, f64)> {
         let values = self.model.functions[function].basis.values(x, &self.model.alphabet, &|n| self.constant(n));
         let carries = |term| self.derivation.base.position(|b| b.estimates == Some(Coefficient { function, term }));
-        values.into_iter().enumerate().filter_map(|(k, v)| Some((carries(TermId::from(k))?, v))).collect()
+        values.into_iter_enumerated().filter_map(|(term, v)| Some((carries(term)?, v))).collect()
     }
 
     /// Definitions of the base parameters with the constants' values put in: parameter and factor.

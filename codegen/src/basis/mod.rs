@@ -3,9 +3,11 @@
 mod assumption;
 mod conditions;
 mod coordinate;
+mod function;
 mod univariate;
 
 pub use assumption::Basis;
 pub use conditions::{Condition, NoBasis, satisfying};
 pub use coordinate::Coordinate;
+pub use function::{Arithmetic, BasisFunction};
 pub use univariate::Univariate;

@@ -12,6 +12,11 @@ impl Univariate {
         Self((0..=n).map(|k| if k == n { Poly::one() } else { Poly::ZERO }).collect())
     }
 
+    /// The power of its last coefficient.
+    pub fn degree(&self) -> usize {
+        self.0.len().saturating_sub(1)
+    }
+
     /// The value at `x`, products left as they stand: `(R c)²` becomes `R² c²`, not `R² (1 − s²)`.
     pub fn at(&self, x: &Poly) -> Result<Poly, AlgebraError> {
         let mut sum = Poly::ZERO;

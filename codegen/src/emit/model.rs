@@ -2,7 +2,7 @@
 
 use super::function::{Function, Input, Output};
 use crate::algebra::{Alphabet, Fraction, Nominal, NominalId, Poly};
-use crate::basis::Basis;
+use crate::basis::{Arithmetic, Univariate};
 use crate::graph::{Graph, Id, Symbol, Unbound};
 use crate::identify::{Coefficient, Derivation};
 use crate::ids::{BaseId, FunctionId, RunId, TermId};
@@ -79,37 +79,55 @@ fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unbound
     let axis = model.axis(axis)?;
     let mut graph = Graph::new();
     let x = graph.symbol(Symbol::Coordinate);
-    let values: Vec<Id> = match &f.basis {
-        Basis::Zero | Basis::Known => return None,
-        Basis::Polynomials(functions) => functions
-            .iter()
-            .map(|u| {
-                let terms =
-                    u.0.iter()
-                        .enumerate()
-                        .map(|(n, c)| (poly(&mut graph, &model.alphabet, c), n as i32))
-                        .collect::<Vec<_>>();
-                let terms = terms.into_iter().map(|(c, n)| (c, graph.power(x, n))).collect::<Vec<_>>();
-                let products: Vec<Id> = terms.into_iter().map(|(c, p)| graph.product(&[c, p])).collect();
-                graph.sum(&products)
-            })
-            .collect(),
-        Basis::Fourier(n) => (1..=i128::from(*n))
-            .flat_map(|k| {
-                let k = graph.integer(k);
-                let angle = graph.product(&[k, x]);
-                [graph.cos(angle), graph.sin(angle)]
-            })
-            .collect(),
-    };
+    let mut lowering = Lowering { graph: &mut graph, alphabet: &model.alphabet, x };
+    let values: Vec<Id> = f.basis.functions().iter().map(|f| f.of(&mut lowering)).collect();
+    if values.is_empty() {
+        return None;
+    }
     let unit = if axis.kind == AxisKind::Rotary { "rad" } else { "mm" };
     let mut inputs = lengths(model);
     let meaning = format!("coordinate of axis {}, {unit}", axis.name);
     inputs.push(Input::new(Symbol::Coordinate, &axis.name.to_lowercase(), &meaning));
-    let names = f.basis.suffixes().into_iter().map(|s| format!("{name}{s}"));
+    let names = f.basis.suffixes().map(|s| format!("{name}{s}"));
     let outputs = [Output::array("basis", &names.zip(values).collect::<Vec<_>>())];
     let doc = format!("Basis of the function `{name}`: its value is the sum of these times their coefficients.");
     Some(Function::new(&graph, name, &[&doc], inputs, &outputs))
+}
+
+/// Functions of the coordinate `x` as nodes of a graph.
+struct Lowering<'a> {
+    graph: &'a mut Graph,
+    alphabet: &'a Alphabet,
+    x: Id,
+}
+
+impl Lowering<'_> {
+    fn multiple(&mut self, k: u8) -> Id {
+        let k = self.graph.integer(k.into());
+        self.graph.product(&[k, self.x])
+    }
+}
+
+impl Arithmetic for Lowering<'_> {
+    type Value = Id;
+
+    fn polynomial(&mut self, f: &Univariate) -> Id {
+        let coefficients: Vec<Id> = f.0.iter().map(|c| poly(self.graph, self.alphabet, c)).collect();
+        let powers: Vec<Id> = (0..).take(f.0.len()).map(|n| self.graph.power(self.x, n)).collect();
+        let products = coefficients.into_iter().zip(powers).map(|(c, p)| self.graph.product(&[c, p]));
+        let products: Vec<Id> = products.collect();
+        self.graph.sum(&products)
+    }
+
+    fn cosine(&mut self, multiple: u8) -> Id {
+        let angle = self.multiple(multiple);
+        self.graph.cos(angle)
+    }
+
+    fn sine(&mut self, multiple: u8) -> Id {
+        let angle = self.multiple(multiple);
+        self.graph.sin(angle)
+    }
 }
 
 /// All functions of a model: the runs', then the estimated functions' bases.

@@ -4,7 +4,7 @@ use super::derivation::DeriveError;
 use super::parameter::{Coefficient, Origin, Parameter};
 use crate::algebra::{ErrorId, Order, Poly};
 use crate::basis::Basis;
-use crate::ids::{FunctionId, ParameterId, RunId, TermId};
+use crate::ids::{FunctionId, ParameterId, RunId};
 use crate::model::Model;
 use typed_index_collections::{TiSlice, TiVec, ti_vec};
 
@@ -43,8 +43,8 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
                 continue;
             }
             let values = function.basis.along(&model.runs[run].at[axis], &model.alphabet)?;
-            for (k, (value, suffix)) in values.iter().zip(function.basis.suffixes()).enumerate() {
-                let origin = Origin::Coefficient(Coefficient { function: id, term: TermId::from(k) });
+            for ((term, value), suffix) in values.iter_enumerated().zip(function.basis.suffixes()) {
+                let origin = Origin::Coefficient(Coefficient { function: id, term });
                 let column = coefficient.times(value, Order::NOMINAL)?;
                 put(&mut found, readings.len(), format!("{name}{suffix}"), origin, run, column);
             }

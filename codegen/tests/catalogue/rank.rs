@@ -36,7 +36,7 @@ fn exact_ranks_are_the_numerical_ones() {
                         let (axis, _) = model.axis_of(function.error).unwrap();
                         let Some(coordinate) = run.at[axis].poly() else { return 0.0 };
                         let x = at(coordinate, alphabet, sweep, length);
-                        factor(function.error) * function.basis.values(x, alphabet, &length)[usize::from(c.term)]
+                        factor(function.error) * function.basis.values(x, alphabet, &length)[c.term]
                     }
                 };
                 rows.push(derivation.parameters.iter().map(|p| column(&p.origin)).collect());

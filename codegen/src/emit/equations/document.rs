@@ -1,8 +1,9 @@
 //! The equations of a derivation in one style, before a format arranges them.
 
+use super::function::Written;
 use super::printer::{Printer, Style};
 use crate::algebra::{ErrorId, Fraction, Monomial, Poly, Rational};
-use crate::basis::{Basis, Univariate};
+use crate::basis::{Basis, BasisFunction};
 use crate::identify::{BaseParameter, Derivation, DerivedRun, Group};
 use crate::ids::{BaseId, FunctionId, ParameterId, RunId};
 use crate::model::{Model, ReadingKind};
@@ -156,62 +157,17 @@ impl<'a> Document<'a> {
     pub fn function(&self, id: FunctionId, x: &str) -> Option<String> {
         let f = &self.model.functions[id];
         let prefix = self.model.alphabet.error_name(f.error);
-        let names = f.basis.suffixes().into_iter().map(|s| self.printer.name(&format!("{prefix}{s}")));
-        let term = |name: String, value: String, sum: bool| {
-            let value = if sum { self.printer.parenthesised(&value) } else { value };
-            (false, self.printer.product(&[name, value]))
-        };
         match &f.basis {
-            Basis::Zero => Some("0".to_owned()),
-            Basis::Known => None,
-            Basis::Polynomials(p) => {
-                let terms = p.iter().zip(names).map(|(u, name)| {
-                    term(name, self.univariate(u, x), u.0.iter().filter(|c| !c.is_zero()).count() > 1)
-                });
-                Some(self.printer.sum(terms))
-            }
-            Basis::Fourier(n) => {
-                let wave = |k: u8, sin: bool| {
-                    let name = if sin { "sin" } else { "cos" };
-                    let times =
-                        if k == 1 { x.to_owned() } else { self.printer.product(&[k.to_string(), x.to_owned()]) };
-                    if self.printer.style == Style::Latex {
-                        format!("\\{name} {times}")
-                    } else {
-                        format!("{name}({times})")
-                    }
-                };
-                let values = (1..=*n).flat_map(|k| [wave(k, false), wave(k, true)]);
-                Some(self.printer.sum(names.zip(values).map(|(name, value)| term(name, value, false))))
-            }
+            Basis::Zero => return Some("0".to_owned()),
+            Basis::Known => return None,
+            Basis::Functions(_) => {}
         }
-    }
-
-    /// A polynomial of the coordinate `x`, highest power first.
-    pub fn univariate(&self, u: &Univariate, x: &str) -> String {
-        let power = |n: usize| match (n, self.printer.style) {
-            (1, _) => x.to_owned(),
-            (_, Style::Latex) => format!("{x}^{{{n}}}"),
-            (_, Style::Plain) => format!("{x}**{n}"),
-            (_, Style::Pretty) => format!(
-                "{x}{}",
-                ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'].get(n).map_or(format!("^{n}"), char::to_string)
-            ),
+        let mut written = Written { printer: &self.printer, x };
+        let term = |(suffix, f): (String, &BasisFunction)| {
+            let name = self.printer.name(&format!("{prefix}{suffix}"));
+            (false, self.printer.product(&[name, f.of(&mut written)]))
         };
-        let terms: Vec<(Fraction, usize)> =
-            u.0.iter()
-                .enumerate()
-                .rev()
-                .filter(|(_, c)| !c.is_zero())
-                .map(|(n, c)| (Fraction::whole(c.clone()), n))
-                .collect();
-        let constant = terms.iter().find(|(_, n)| *n == 0).map(|(f, _)| self.printer.fraction(f));
-        let powers = self.printer.combination(terms.iter().filter(|(_, n)| *n > 0).map(|(f, n)| (f, power(*n))));
-        match (constant, terms.len()) {
-            (None, _) => powers,
-            (Some(c), 1) => c,
-            (Some(c), _) => format!("{powers} + {c}"),
-        }
+        Some(self.printer.sum(f.basis.suffixes().zip(f.basis.functions()).map(term)))
     }
 
     /// The coordinate's letter of an axis error: `a` for the axis A.

@@ -1,6 +1,7 @@
 //! A derivation as a document: text and LaTeX for a reviewer, JSON for a program.
 
 mod document;
+mod function;
 mod json;
 mod latex;
 mod printer;

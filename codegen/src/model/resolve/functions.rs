@@ -26,7 +26,7 @@ impl Resolver {
         for text in &draft.estimate {
             let error = self.error(&text.value);
             match functions.iter_mut().find(|f| Some(f.error) == error) {
-                Some(f) if !matches!(f.basis, Basis::Zero | Basis::Known) => f.estimate = true,
+                Some(f) if !f.basis.functions().is_empty() => f.estimate = true,
                 None if error
                     .is_some_and(|e| draft.functions.iter().any(|f| self.error(&f.error.value) == Some(e))) => {}
                 _ => self.problem(&text.span, ProblemKind::NothingToEstimate(text.value.clone())).unwrap_or(()),
@@ -47,13 +47,13 @@ impl Resolver {
             DraftBasis::Fourier(_) if axis.kind == AxisKind::Linear => {
                 return self.problem(&f.error.span, ProblemKind::FourierOfLength);
             }
-            DraftBasis::Fourier(n) => Basis::Fourier(*n),
+            DraftBasis::Fourier(n) => Basis::fourier(*n),
             DraftBasis::Polynomial(degree, written) if written.is_empty() => Basis::polynomial(*degree),
             DraftBasis::Polynomial(degree, written) => {
                 let conditions: Vec<_> = written.iter().filter_map(|text| self.condition(text)).collect();
                 (conditions.len() == written.len()).then_some(())?;
                 let functions = satisfying(*degree, &conditions, &self.alphabet);
-                Basis::Polynomials(
+                Basis::polynomials(
                     functions.map_or_else(|e| self.problem(&f.error.span, ProblemKind::NoBasis(e)), Some)?,
                 )
             }
