@@ -4,7 +4,7 @@ use indexmap::IndexSet;
 use num_traits::{One, Zero};
 use rustc_hash::FxBuildHasher;
 
-use super::node::{Factor, Id, Node, Symbol, Term};
+use super::node::{Addend, Factor, Id, Node, Symbol};
 use super::rational::{self, Rational};
 
 /// Owns expressions; an equal expression is stored once.
@@ -139,7 +139,7 @@ impl Graph {
         for (coefficient, node) in terms {
             self.flatten_term(coefficient, node, &mut flat);
         }
-        flat.sort_by_key(|term: &Term| term.node);
+        flat.sort_by_key(|term: &Addend| term.node);
         flat.dedup_by(|next, kept| {
             let sum = (next.node == kept.node).then(|| rational::plus(&kept.coefficient, &next.coefficient)).flatten();
             sum.inspect(|&sum| kept.coefficient = sum).is_some()
@@ -153,21 +153,21 @@ impl Graph {
     }
 
     /// Adds coefficient·node to `flat`, opening sums and constants unless a coefficient would overflow.
-    fn flatten_term(&mut self, coefficient: Rational, node: Id, flat: &mut Vec<Term>) {
+    fn flatten_term(&mut self, coefficient: Rational, node: Id, flat: &mut Vec<Addend>) {
         // Unreduced or unrepresentable coefficients become constants of their own.
         let Some(coefficient) = rational::reduced(coefficient) else {
             let constant = self.rational(coefficient);
             let node = self.product(&[constant, node]);
-            return flat.push(Term { coefficient: Rational::one(), node });
+            return flat.push(Addend { coefficient: Rational::one(), node });
         };
         let start = flat.len();
         let whole = match &self.nodes[node.index()] {
             Node::Rational(r) => {
-                rational::times(&coefficient, r).map(|coefficient| flat.push(Term { coefficient, node: Id::ONE }))
+                rational::times(&coefficient, r).map(|coefficient| flat.push(Addend { coefficient, node: Id::ONE }))
             }
             Node::Sum(terms) => terms.iter().try_for_each(|term| {
                 let coefficient = rational::times(&coefficient, &term.coefficient)?;
-                flat.push(Term { coefficient, node: term.node });
+                flat.push(Addend { coefficient, node: term.node });
                 Some(())
             }),
             Node::Product(own, factors) if !own.is_one() => match rational::times(&coefficient, own) {
@@ -179,7 +179,7 @@ impl Graph {
                             self.intern(unit)
                         }
                     };
-                    flat.push(Term { coefficient, node: unit });
+                    flat.push(Addend { coefficient, node: unit });
                     Some(())
                 }
                 None => None,
@@ -188,7 +188,7 @@ impl Graph {
         };
         if whole.is_none() {
             flat.truncate(start);
-            flat.push(Term { coefficient, node });
+            flat.push(Addend { coefficient, node });
         }
     }
 

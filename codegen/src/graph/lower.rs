@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use super::build::Graph;
 use super::evaluate::Unbound;
 use super::factor::{Literal, Products};
-use super::node::{Id, Node, Symbol, Term};
+use super::node::{Addend, Id, Node, Symbol};
 use super::program::{Constant, Program, Step, Value};
 use super::rational::Rational;
 
@@ -123,7 +123,7 @@ impl Lowering<'_> {
     }
 
     /// The first term that is added leads, so that a sign is changed only where all are subtracted.
-    fn sum(&mut self, terms: &[Term]) -> Value {
+    fn sum(&mut self, terms: &[Addend]) -> Value {
         let lead = terms.iter().position(|term| term.coefficient.is_positive()).unwrap_or(0);
         let order = terms.get(lead).into_iter().chain(&terms[..lead]).chain(terms.iter().skip(lead + 1));
         let mut total = None;

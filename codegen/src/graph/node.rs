@@ -37,9 +37,9 @@ pub enum Symbol {
     Input(u32),
 }
 
-/// `coefficient · node` in a sum.
+/// What a sum adds: `coefficient · node`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Term {
+pub struct Addend {
     /// Never zero.
     pub coefficient: Rational,
     /// [`Id::ONE`] for the sum's constant.
@@ -67,7 +67,7 @@ pub enum Node {
     /// √2
     Sqrt2,
     /// At least two terms, ordered by node; like terms are one.
-    Sum(Box<[Term]>),
+    Sum(Box<[Addend]>),
     /// A constant other than zero times factors, ordered by base; like factors are one. A power is a product of one factor.
     Product(Rational, Box<[Factor]>),
     /// Square root.
@@ -81,7 +81,7 @@ pub enum Node {
 impl Node {
     /// The expressions this one is made of, with repetition; the unit of a sum's constant is not one of them.
     pub fn children(&self) -> impl Iterator<Item = Id> + '_ {
-        let (terms, factors, argument): (&[Term], &[Factor], Option<Id>) = match self {
+        let (terms, factors, argument): (&[Addend], &[Factor], Option<Id>) = match self {
             Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => (&[], &[], None),
             Node::Sum(terms) => (terms, &[], None),
             Node::Product(_, factors) => (&[], factors, None),
