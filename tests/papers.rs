@@ -9,7 +9,7 @@ use trunnion_codegen::emit::equations::{self, Printer, Style};
 use trunnion_codegen::identify::{Derivation, derive};
 use trunnion_codegen::ids::{ParameterId, RunId};
 use trunnion_codegen::measurement;
-use trunnion_codegen::model::{Expr, Model, Node, Scope, parse, read};
+use trunnion_codegen::model::{Expr, ExprKind, Model, Scope, parse, read};
 
 /// Printed right-hand sides, as they stand in the paper, in plain infix.
 const PRINTED_5: &str = "sin(a)*(-d_ya + d_zc + d_yy - R*sin(a)*(e_xy + s_xz) - o_ya + t_y1)
@@ -46,9 +46,9 @@ fn paper() -> (Model, Derivation) {
 /// Names that stand for quantities a printed equation is linear in.
 fn unknowns(e: &Expr, known: &[&str], out: &mut Vec<String>) {
     match &e.node {
-        Node::Name(name) if !known.contains(&name.as_str()) && !out.contains(name) => out.push(name.clone()),
-        Node::Negative(x) | Node::Call(_, _, x) => unknowns(x, known, out),
-        Node::Binary(_, x, y) => {
+        ExprKind::Name(name) if !known.contains(&name.as_str()) && !out.contains(name) => out.push(name.clone()),
+        ExprKind::Negative(x) | ExprKind::Call(_, _, x) => unknowns(x, known, out),
+        ExprKind::Binary(_, x, y) => {
             unknowns(x, known, out);
             unknowns(y, known, out);
         }
@@ -60,10 +60,10 @@ fn unknowns(e: &Expr, known: &[&str], out: &mut Vec<String>) {
 fn pick(e: &Expr, unknowns: &[String], one: &str) -> Expr {
     let inner = |x: &Expr| Box::new(pick(x, unknowns, one));
     let node = match &e.node {
-        Node::Name(name) if unknowns.contains(name) => Node::Number(i128::from(name == one), 1),
-        Node::Negative(x) => Node::Negative(inner(x)),
-        Node::Call(name, primes, x) => Node::Call(name.clone(), *primes, inner(x)),
-        Node::Binary(operator, x, y) => Node::Binary(*operator, inner(x), inner(y)),
+        ExprKind::Name(name) if unknowns.contains(name) => ExprKind::Number(i128::from(name == one), 1),
+        ExprKind::Negative(x) => ExprKind::Negative(inner(x)),
+        ExprKind::Call(name, primes, x) => ExprKind::Call(name.clone(), *primes, inner(x)),
+        ExprKind::Binary(operator, x, y) => ExprKind::Binary(*operator, inner(x), inner(y)),
         other => other.clone(),
     };
     Expr { node, span: e.span.clone() }

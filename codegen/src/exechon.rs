@@ -7,7 +7,7 @@
 use crate::emit::{Function, Input, Output};
 use crate::graph::{Graph, Id, Symbol, Unbound};
 
-type Vector = [Id; 3];
+type IdVector = [Id; 3];
 
 /// The platform's origin.
 const PLATFORM: [&str; 3] = ["x", "y", "z"];
@@ -127,7 +127,7 @@ fn closure() -> Result<Function, Unbound> {
 }
 
 /// The platform's axes, E(4). The x axis of the base carries the outer gimbals, so ŷ has no x component.
-fn axes(g: &mut Graph) -> [Vector; 3] {
+fn axes(g: &mut Graph) -> [IdVector; 3] {
     let [x, y, z] = PLATFORM.map(|name| symbol(g, name));
     let ys2 = symbol(g, "ys2");
     let (yy, zz) = (g.power(y, 2), g.power(z, 2));
@@ -152,7 +152,7 @@ fn axes(g: &mut Graph) -> [Vector; 3] {
     [x_axis, y_axis, z_axis]
 }
 
-fn dot(g: &mut Graph, a: Vector, b: Vector) -> Id {
+fn dot(g: &mut Graph, a: IdVector, b: IdVector) -> Id {
     let mut terms = [Id::ZERO; 3];
     for (term, (a, b)) in terms.iter_mut().zip(a.into_iter().zip(b)) {
         *term = g.product(&[a, b]);
@@ -161,7 +161,7 @@ fn dot(g: &mut Graph, a: Vector, b: Vector) -> Id {
 }
 
 /// ∂f/∂p, one row for each of f.
-fn jacobian(g: &mut Graph, f: &Vector, p: Vector) -> [Vector; 3] {
+fn jacobian(g: &mut Graph, f: &IdVector, p: IdVector) -> [IdVector; 3] {
     let columns = p.map(|variable| g.derivatives(f, variable));
     [0, 1, 2].map(|row| [0, 1, 2].map(|column| columns[column][row]))
 }

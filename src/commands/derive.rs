@@ -7,7 +7,7 @@ use super::predicted::{Measuring, prediction};
 use clap::{Args, ValueEnum};
 use trunnion::data::Radius;
 use trunnion::study::SetupError;
-use trunnion_codegen::emit::c::Real;
+use trunnion_codegen::emit::c::Precision;
 use trunnion_codegen::emit::rust::{self, Support};
 use trunnion_codegen::emit::{c99, equations, numpy};
 use trunnion_codegen::problems::derivation;
@@ -65,7 +65,7 @@ impl DeriveArguments {
             Emit::Text => equations::text(&description, &derivation) + &predicted,
             Emit::Latex => equations::latex(&description, &derivation),
             Emit::Rust => rust::model_source(&description, &derivation, &Support::of_solver())?,
-            Emit::C => c99::sources(&description, &derivation, Real::Double)?.single(),
+            Emit::C => c99::sources(&description, &derivation, Precision::Double)?.single(),
             Emit::Numpy => numpy::model_source(&description, &derivation)?,
             Emit::Json => format!("{:#}\n", equations::json(&description, &derivation)),
         })

@@ -20,7 +20,7 @@ pub use alphabet::{Alphabet, Nominal};
 pub use angle::Angle;
 pub use elimination::{Reduced, Row, reduce, subtract};
 pub use fraction::Fraction;
-pub use matrix::{Transform, Vector};
+pub use matrix::{PolyVector, Transform};
 pub(crate) use matrix::{difference, dot};
 pub use monomial::{MAX_ERROR_ORDER, MAX_NOMINALS, Monomial, Powers};
 pub use poly::{Order, Poly, Term};

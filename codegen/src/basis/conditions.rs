@@ -5,7 +5,7 @@ use crate::algebra::{AlgebraError, Alphabet, Fraction, Order, Poly, Row, reduce}
 
 /// A homogeneous linear condition `Σ factor · f⁽ⁿ⁾(point) = 0`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Condition {
+pub struct LinearCondition {
     /// Order of the derivative, the point, the factor.
     pub terms: Vec<(u32, Poly, Poly)>,
 }
@@ -46,7 +46,7 @@ impl core::error::Error for NoBasis {}
 /// coefficients free: so each basis function is monic, shows its zeros, and the choice does not depend on how the
 /// conditions were written. For f(0) = 0, f(2π) = f(0), f′(2π) = f′(0) and degree 4 this gives
 /// `x(x − 2π)(x² − 2π²)` and `x(x − 2π)(x − π)`, which is T(10).
-pub fn satisfying(degree: u8, conditions: &[Condition], alphabet: &Alphabet) -> Result<Vec<Univariate>, NoBasis> {
+pub fn satisfying(degree: u8, conditions: &[LinearCondition], alphabet: &Alphabet) -> Result<Vec<Univariate>, NoBasis> {
     let (zeros, rest) = split_zeros(conditions, alphabet)?;
     let mut factor = Univariate(vec![Poly::one()]);
     for zero in &zeros {
@@ -76,7 +76,10 @@ pub fn satisfying(degree: u8, conditions: &[Condition], alphabet: &Alphabet) -> 
 }
 
 /// The points where the conditions make f vanish, and conditions equivalent to the others.
-fn split_zeros(conditions: &[Condition], alphabet: &Alphabet) -> Result<(Vec<Poly>, Vec<Condition>), NoBasis> {
+fn split_zeros(
+    conditions: &[LinearCondition],
+    alphabet: &Alphabet,
+) -> Result<(Vec<Poly>, Vec<LinearCondition>), NoBasis> {
     let mut functionals: Vec<(u32, Poly)> = Vec::new();
     for (n, point, _) in conditions.iter().flat_map(|c| &c.terms) {
         let functional = (*n, point.normal(alphabet)?);
@@ -105,13 +108,13 @@ fn split_zeros(conditions: &[Condition], alphabet: &Alphabet) -> Result<(Vec<Pol
             let term = |(factor, (n, point)): (&Fraction, &(u32, Poly))| {
                 Ok((*n, point.clone(), factor.as_poly().ok_or(NoBasis::NotPolynomial)?.clone()))
             };
-            rest.push(Condition { terms: present.map(term).collect::<Result<_, NoBasis>>()? });
+            rest.push(LinearCondition { terms: present.map(term).collect::<Result<_, NoBasis>>()? });
         }
     }
     Ok((zeros, rest))
 }
 
-fn value(condition: &Condition, f: &Univariate) -> Result<Poly, AlgebraError> {
+fn value(condition: &LinearCondition, f: &Univariate) -> Result<Poly, AlgebraError> {
     let mut sum = Poly::ZERO;
     for (n, point, factor) in &condition.terms {
         sum = sum.plus(&f.derivative(*n)?.at(point)?.times(factor, Order::NOMINAL)?)?;
@@ -128,9 +131,9 @@ mod tests {
         (n, Poly::nominal(Alphabet::PI).scaled(&Rational::from(2 * turns)).unwrap(), Poly::integer(factor))
     }
 
-    fn periodic() -> Vec<Condition> {
+    fn periodic() -> Vec<LinearCondition> {
         [vec![at(0, 0, 1)], vec![at(0, 1, 1), at(0, 0, -1)], vec![at(1, 1, 1), at(1, 0, -1)]]
-            .map(|terms| Condition { terms })
+            .map(|terms| LinearCondition { terms })
             .into()
     }
 
@@ -149,7 +152,7 @@ mod tests {
     #[test]
     fn the_way_conditions_are_written_does_not_matter() {
         let mut written = periodic();
-        written[1] = Condition { terms: vec![at(0, 1, 3)] };
+        written[1] = LinearCondition { terms: vec![at(0, 1, 3)] };
         written.reverse();
         let alphabet = Alphabet::default();
         assert_eq!(satisfying(5, &written, &alphabet), satisfying(5, &periodic(), &alphabet));

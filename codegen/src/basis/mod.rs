@@ -7,7 +7,7 @@ mod function;
 mod univariate;
 
 pub use assumption::Basis;
-pub use conditions::{Condition, NoBasis, satisfying};
+pub use conditions::{LinearCondition, NoBasis, satisfying};
 pub use coordinate::Coordinate;
 pub use function::{Arithmetic, BasisFunction};
 pub use univariate::Univariate;

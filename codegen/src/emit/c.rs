@@ -9,20 +9,17 @@ use super::names::{Names, Rules};
 
 /// The floating-point type of a generated function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Real {
+pub enum Precision {
     /// `double`
     Double,
     /// `float`, with `sinf` and its kind
     Float,
 }
 
-/// `#include <math.h>`, which the functions of a file need once.
-pub const INCLUDES: &str = "#include <math.h>\n";
-
 /// `void name(double R, double a, double out[10])`: inputs by value, then an array, matrix or pointer for each output.
 /// A function of one output calls it `out`. C has no empty arrays: an output without elements is left out.
 #[must_use]
-pub fn function(function: &Function, real: Real) -> String {
+pub fn function(function: &Function, real: Precision) -> String {
     let names = Names::new(function, &identifier(&function.name), RULES);
     let writer = Infix { program: &function.program, names: &names, dialect: real };
     let kind = real.name();
@@ -35,7 +32,6 @@ pub fn function(function: &Function, real: Real) -> String {
     let inputs = names.inputs.iter().map(|name| format!("{kind} {name}"));
     let results = names.outputs.iter().zip(&function.results).filter(|(_, (_, form))| form.len() > 0);
     let results = results.map(|(name, (_, form))| match form {
-        Form::Scalar => format!("{kind} *{name}"),
         Form::Array(n) => format!("{kind} {name}[{n}]"),
         Form::Matrix(rows, columns) => format!("{kind} {name}[{rows}][{columns}]"),
     });
@@ -75,7 +71,6 @@ pub(super) fn identifier(wanted: &str) -> String {
 
 fn places(name: &str, form: Form) -> Vec<String> {
     match form {
-        Form::Scalar => vec![format!("*{name}")],
         Form::Array(n) => (0..n).map(|i| format!("{name}[{i}]")).collect(),
         Form::Matrix(rows, columns) => {
             (0..rows).flat_map(|r| (0..columns).map(move |c| format!("{name}[{r}][{c}]"))).collect()
@@ -83,20 +78,20 @@ fn places(name: &str, form: Form) -> Vec<String> {
     }
 }
 
-impl Real {
+impl Precision {
     pub(super) fn name(self) -> &'static str {
         self.pick("double", "float")
     }
 
     pub(super) fn pick(self, double: &'static str, float: &'static str) -> &'static str {
         match self {
-            Real::Double => double,
-            Real::Float => float,
+            Precision::Double => double,
+            Precision::Float => float,
         }
     }
 }
 
-impl Dialect for Real {
+impl Dialect for Precision {
     fn constant(&self, constant: &Constant) -> String {
         let number = match constant {
             Constant::Rational(r) => decimal(r),
@@ -104,16 +99,16 @@ impl Dialect for Real {
             Constant::Sqrt2 => "1.41421356237309504880".to_owned(),
         };
         match self {
-            Real::Double => number,
-            Real::Float if number.contains(" / ") => format!("(float)({number})"),
-            Real::Float => format!("{number}f"),
+            Precision::Double => number,
+            Precision::Float if number.contains(" / ") => format!("(float)({number})"),
+            Precision::Float => format!("{number}f"),
         }
     }
 
     fn function(&self, name: &'static str) -> String {
         match self {
-            Real::Double => name.to_owned(),
-            Real::Float => format!("{name}f"),
+            Precision::Double => name.to_owned(),
+            Precision::Float => format!("{name}f"),
         }
     }
 }

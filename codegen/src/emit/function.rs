@@ -42,7 +42,6 @@ impl Input {
 /// The form in which a result is returned.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Form {
-    Scalar,
     Array(usize),
     Matrix(usize, usize),
 }
@@ -50,14 +49,13 @@ pub(super) enum Form {
 impl Form {
     pub(super) fn len(self) -> usize {
         match self {
-            Form::Scalar => 1,
             Form::Array(n) => n,
             Form::Matrix(rows, columns) => rows * columns,
         }
     }
 }
 
-/// A result of a function: one value, an array of named values, or a matrix.
+/// A result of a function: an array of named values, or a matrix.
 #[derive(Clone, Debug)]
 pub struct Output {
     pub(super) name: String,
@@ -66,12 +64,6 @@ pub struct Output {
 }
 
 impl Output {
-    /// One value.
-    #[must_use]
-    pub fn scalar(name: &str, id: Id) -> Self {
-        Output { name: name.into(), form: Form::Scalar, elements: vec![(name.into(), id)] }
-    }
-
     /// An array whose elements have names of their own, one line each.
     #[must_use]
     pub fn array<S: AsRef<str>>(name: &str, elements: &[(S, Id)]) -> Self {

@@ -44,8 +44,7 @@ pub fn model_source(model: &Model, derivation: &Derivation) -> Result<String, Un
     Ok(text)
 }
 
-/// `def name(R, a)`. A scalar output has the inputs' shape; an array or matrix has its own axes before those. Several
-/// outputs are returned as a tuple.
+/// `def name(R, a)`. An array or matrix has its own axes before those of the inputs. Several outputs are returned as a tuple.
 #[must_use]
 pub fn function(function: &Function) -> String {
     function_as(function, &Scope::new(RULES, &[]).claim(&function.name))
@@ -71,19 +70,13 @@ fn function_as(function: &Function, called: &str) -> String {
     for (name, &value) in names.outputs.iter().zip(function.program.outputs()) {
         text += &writer.assigned(&format!("    {name}"), &writer.value(value), BRACKETS, "");
     }
-    if function.results.iter().any(|(_, form)| *form != Form::Scalar) {
-        let shapes: Vec<_> = names.inputs.iter().map(|input| format!("np.shape({input})")).collect();
-        text += &listed("    shape = np.broadcast_shapes(", &shapes, ")\n", 8);
-    }
+    let shapes: Vec<_> = names.inputs.iter().map(|input| format!("np.shape({input})")).collect();
+    text += &listed("    shape = np.broadcast_shapes(", &shapes, ")\n", 8);
     let mut elements = names.outputs.iter();
     let mut results = Vec::new();
     for (name, (_, form)) in names.results.iter().zip(&function.results) {
         let own: Vec<String> = elements.by_ref().take(form.len()).cloned().collect();
         let sizes = match form {
-            Form::Scalar => {
-                results.push(own.concat());
-                continue;
-            }
             Form::Array(n) => n.to_string(),
             Form::Matrix(rows, columns) => format!("{rows}, {columns}"),
         };

@@ -19,7 +19,7 @@ fn awkward() -> Function {
         &["Tries names. */ \"\"\" \\"],
         Input::all(&["R", "r", "for", "np", "δ", "2nd", "unused"]),
         &[
-            Output::scalar("t", sum),
+            Output::array("t", &[("t", sum)]),
             Output::array("out", &[("r", product), ("t", negative)]),
             Output::matrix("M", &[[sum, lower], [Id::ZERO, Id::ONE]]),
         ],
@@ -31,7 +31,7 @@ fn awkward() -> Function {
 fn awkward_names() {
     let f = awkward();
     let rust = rust::source(std::slice::from_ref(&f), "a\ntest", &rust::Support::of_solver());
-    assert_snapshot!([rust, c::function(&f, c::Real::Float), numpy::function(&f)].join("\n"));
+    assert_snapshot!([rust, c::function(&f, c::Precision::Float), numpy::function(&f)].join("\n"));
 }
 
 #[test]
@@ -41,7 +41,7 @@ fn long_sums_are_cut_into_lines() {
     let symbols: Vec<Id> = (0..20_000).map(|at| g.symbol(Symbol::Input(at))).collect();
     let sum = g.sum(&symbols);
     let inputs: Vec<&str> = names.iter().map(String::as_str).collect();
-    let f = Function::new(&g, "long", &[], Input::all(&inputs), &[Output::scalar("sum", sum)]).unwrap();
-    let longest = c::function(&f, c::Real::Double).lines().skip(4).map(str::len).max();
+    let f = Function::new(&g, "long", &[], Input::all(&inputs), &[Output::array("sum", &[("sum", sum)])]).unwrap();
+    let longest = c::function(&f, c::Precision::Double).lines().skip(4).map(str::len).max();
     assert!(longest.is_some_and(|longest| longest < 300), "{longest:?}");
 }

@@ -1,6 +1,6 @@
 //! From the text of an expression to exact polynomials: coordinates, angles, points.
 
-use super::{Expr, Node, Operator};
+use super::{Expr, ExprKind, Operator};
 use crate::algebra::{AlgebraError, Alphabet, Angle, Monomial, Order, Poly, Rational, SweepId};
 use crate::source::Span;
 
@@ -58,16 +58,16 @@ impl Scope<'_> {
         let exact = |r: Result<Poly, AlgebraError>| r.map_err(|a| (e.span.clone(), Meaning::Algebra(a)));
         let fail = |m: Meaning| Err((e.span.clone(), m));
         match &e.node {
-            Node::Number(n, d) => Ok(Poly::constant(Rational::new(*n, *d))),
-            Node::Name(name) => self.name(name).ok_or_else(|| (e.span.clone(), Meaning::UnknownName(name.clone()))),
-            Node::Negative(x) => Ok(self.poly(x)?.negated()),
-            Node::Binary(Operator::Power, x, n) => match self.poly(n)?.as_number() {
+            ExprKind::Number(n, d) => Ok(Poly::constant(Rational::new(*n, *d))),
+            ExprKind::Name(name) => self.name(name).ok_or_else(|| (e.span.clone(), Meaning::UnknownName(name.clone()))),
+            ExprKind::Negative(x) => Ok(self.poly(x)?.negated()),
+            ExprKind::Binary(Operator::Power, x, n) => match self.poly(n)?.as_number() {
                 Some(n) if n.is_integer() && (0..=20).contains(n.numer()) => {
                     exact(self.poly(x)?.power(*n.numer() as u32, Order::NOMINAL))
                 }
                 _ => Err((n.span.clone(), Meaning::Exponent)),
             },
-            Node::Binary(operator, x, y) => {
+            ExprKind::Binary(operator, x, y) => {
                 let (x, divisor, y) = (self.poly(x)?, &y.span, self.poly(y)?);
                 match operator {
                     Operator::Plus => exact(x.plus(&y)),
@@ -80,7 +80,7 @@ impl Scope<'_> {
                     _ => exact(x.times(&y, Order::NOMINAL)),
                 }
             }
-            Node::Call(name, 0, argument) => match name.as_str() {
+            ExprKind::Call(name, 0, argument) => match name.as_str() {
                 "sin" | "cos" => {
                     let (sin, cos) = self
                         .angle(argument)?
@@ -94,7 +94,7 @@ impl Scope<'_> {
                 },
                 _ => fail(Meaning::UnknownFunction(name.clone())),
             },
-            Node::Call(name, ..) => fail(Meaning::UnknownFunction(name.clone())),
+            ExprKind::Call(name, ..) => fail(Meaning::UnknownFunction(name.clone())),
         }
     }
 

@@ -8,4 +8,4 @@ mod syntax;
 
 pub use evaluate::{EvaluationError, Meaning, Scope};
 pub use parse::{parse, parse_equation};
-pub use syntax::{Expected, Expr, Node, Operator, SyntaxError};
+pub use syntax::{Expected, Expr, ExprKind, Operator, SyntaxError};

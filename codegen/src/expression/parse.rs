@@ -1,6 +1,6 @@
 //! From a text to an expression.
 
-use super::{Expected, Expr, Node, Operator, SyntaxError};
+use super::{Expected, Expr, ExprKind, Operator, SyntaxError};
 use crate::source::Span;
 
 /// Parses a whole text.
@@ -93,7 +93,7 @@ impl Parser<'_> {
         let expr = if self.take("-") {
             let inner = self.signed()?;
             let span = start..inner.span.end;
-            Ok(Expr { node: Node::Negative(Box::new(inner)), span })
+            Ok(Expr { node: ExprKind::Negative(Box::new(inner)), span })
         } else {
             self.power()
         };
@@ -139,7 +139,9 @@ impl Parser<'_> {
             return Err(SyntaxError { span, expected: Expected::Operand });
         }
         match digits.parse() {
-            Ok(n) if digits.len() <= 30 => Ok(Expr { node: Node::Number(n, 10i128.pow(decimals.len() as u32)), span }),
+            Ok(n) if digits.len() <= 30 => {
+                Ok(Expr { node: ExprKind::Number(n, 10i128.pow(decimals.len() as u32)), span })
+            }
             _ => Err(SyntaxError { span, expected: Expected::ShorterNumber }),
         }
     }
@@ -148,7 +150,7 @@ impl Parser<'_> {
         let name = self.take_while(|c| c.is_alphanumeric() || c == '_').to_owned();
         let primes = self.take_while(|c| c == '\'').len() as u32;
         if !self.take("(") {
-            let node = if primes == 0 { Node::Name(name) } else { return Err(self.error(Expected::Operand)) };
+            let node = if primes == 0 { ExprKind::Name(name) } else { return Err(self.error(Expected::Operand)) };
             return Ok(Expr {
                 node,
                 span: start
@@ -160,7 +162,7 @@ impl Parser<'_> {
         }
         let argument = self.sum()?;
         if self.take(")") {
-            Ok(Expr { node: Node::Call(name, primes, Box::new(argument)), span: start..self.at })
+            Ok(Expr { node: ExprKind::Call(name, primes, Box::new(argument)), span: start..self.at })
         } else {
             Err(self.error(Expected::Closing))
         }
@@ -169,7 +171,7 @@ impl Parser<'_> {
 
 fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
     let span = left.span.start..right.span.end;
-    Expr { node: Node::Binary(operator, Box::new(left), Box::new(right)), span }
+    Expr { node: ExprKind::Binary(operator, Box::new(left), Box::new(right)), span }
 }
 
 #[cfg(test)]
@@ -180,9 +182,9 @@ mod tests {
     fn precedence_and_spans() {
         let e = parse("-R*cos(2*a) + 1.5").unwrap();
         assert_eq!(e.span, 0..17);
-        let Node::Binary(Operator::Plus, left, right) = e.node else { panic!("not a sum") };
-        assert_eq!((left.span, right.node), (0..11, Node::Number(15, 10)));
-        assert!(matches!(parse("2**3**2").unwrap().node, Node::Binary(Operator::Power, ..)));
+        let ExprKind::Binary(Operator::Plus, left, right) = e.node else { panic!("not a sum") };
+        assert_eq!((left.span, right.node), (0..11, ExprKind::Number(15, 10)));
+        assert!(matches!(parse("2**3**2").unwrap().node, ExprKind::Binary(Operator::Power, ..)));
     }
 
     #[test]

@@ -6,14 +6,14 @@ use crate::source::Span;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expr {
     /// What it is.
-    pub node: Node,
+    pub node: ExprKind,
     /// Where it stands.
     pub span: Span,
 }
 
 /// The forms an expression takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Node {
+pub enum ExprKind {
     /// A decimal number as an exact fraction.
     Number(i128, i128),
     /// A constant, the sweep, or `pi`.

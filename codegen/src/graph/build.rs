@@ -4,7 +4,7 @@ use indexmap::IndexSet;
 use num_traits::{One, Zero};
 use rustc_hash::FxBuildHasher;
 
-use super::node::{Addend, Factor, Id, Node, Symbol};
+use super::node::{Addend, Id, Node, Power, Symbol};
 use super::rational::{self, Rational};
 
 /// Owns expressions; an equal expression is stored once.
@@ -73,7 +73,7 @@ impl Graph {
             return self.intern(Node::Rational(value));
         }
         if value.denom().is_zero() {
-            return self.intern(Node::Product(Rational::one(), [Factor { base: Id::ZERO, exponent: -1 }].into()));
+            return self.intern(Node::Product(Rational::one(), [Power { base: Id::ZERO, exponent: -1 }].into()));
         }
         // −2¹²⁷ has no negative, so it stays a product: n/d with n = 2·(n/2).
         let half = |n: i128| Rational::from_integer(n / 2);
@@ -173,7 +173,7 @@ impl Graph {
             Node::Product(own, factors) if !own.is_one() => match rational::times(&coefficient, own) {
                 Some(coefficient) => {
                     let unit = match **factors {
-                        [Factor { base, exponent: 1 }] => base,
+                        [Power { base, exponent: 1 }] => base,
                         _ => {
                             let unit = Node::Product(Rational::one(), factors.clone());
                             self.intern(unit)
@@ -202,7 +202,7 @@ impl Graph {
         }
         let factors = match &self.nodes[node.index()] {
             Node::Product(own, factors) if own.is_one() => factors.clone(),
-            _ => [Factor { base: node, exponent: 1 }].into(),
+            _ => [Power { base: node, exponent: 1 }].into(),
         };
         self.intern(Node::Product(coefficient, factors))
     }
@@ -211,7 +211,7 @@ impl Graph {
         let mut flat = Vec::with_capacity(factors.len());
         let mut constant = rational::reduced(coefficient).unwrap_or_else(|| {
             let base = self.rational(coefficient);
-            flat.push(Factor { base, exponent: 1 });
+            flat.push(Power { base, exponent: 1 });
             Rational::one()
         });
         for (base, exponent) in factors {
@@ -233,9 +233,9 @@ impl Graph {
         }
         match *flat.as_slice() {
             [] => self.intern(Node::Rational(constant)),
-            [Factor { base, exponent: 1 }] if constant.is_one() => base,
+            [Power { base, exponent: 1 }] if constant.is_one() => base,
             // A constant times a sum is opened, so that 2(x + y) and 2x + 2y are one expression.
-            [Factor { base, exponent: 1 }] if matches!(self.node(base), Node::Sum(_)) => {
+            [Power { base, exponent: 1 }] if matches!(self.node(base), Node::Sum(_)) => {
                 self.linear(&[(constant, base)])
             }
             _ => self.intern(Node::Product(constant, flat.into())),
@@ -243,7 +243,7 @@ impl Graph {
     }
 
     /// Multiplies base^exponent in, opening products and constants unless something would overflow.
-    pub(super) fn flatten_factor(&mut self, base: Id, exponent: i32, constant: &mut Rational, flat: &mut Vec<Factor>) {
+    pub(super) fn flatten_factor(&mut self, base: Id, exponent: i32, constant: &mut Rational, flat: &mut Vec<Power>) {
         if exponent == 0 {
             return;
         }
@@ -253,22 +253,22 @@ impl Graph {
             Node::Product(own, factors) => {
                 let opened = factors.iter().try_for_each(|factor| {
                     let exponent = factor.exponent.checked_mul(exponent)?;
-                    flat.push(Factor { base: factor.base, exponent });
+                    flat.push(Power { base: factor.base, exponent });
                     Some(())
                 });
                 if opened.is_none() {
                     flat.truncate(start);
-                    return flat.push(Factor { base, exponent });
+                    return flat.push(Power { base, exponent });
                 }
                 *own
             }
-            _ => return flat.push(Factor { base, exponent }),
+            _ => return flat.push(Power { base, exponent }),
         };
         match rational::power(&own, exponent).and_then(|power| rational::times(constant, &power)) {
             Some(product) => *constant = product,
             None => {
                 let base = self.intern(Node::Rational(own));
-                flat.push(Factor { base, exponent });
+                flat.push(Power { base, exponent });
             }
         }
     }

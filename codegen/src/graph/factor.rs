@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 
 use rustc_hash::FxHashMap;
 
-use super::node::{Factor, Id};
+use super::node::{Id, Power};
 
 /// What a product is multiplied out of.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -16,19 +16,19 @@ pub(super) enum Literal {
 }
 
 /// A literal's index and how often it is multiplied in.
-type Power = (u32, u64);
+type Multiplicity = (u32, u64);
 
 /// Products as powers of literals.
 #[derive(Default)]
 pub(super) struct Products {
     pub(super) literals: Vec<Literal>,
-    pub(super) products: Vec<Vec<Power>>,
+    pub(super) products: Vec<Vec<Multiplicity>>,
     known: FxHashMap<Literal, u32>,
 }
 
 impl Products {
-    pub(super) fn push(&mut self, factors: &[Factor]) {
-        let mut powers: Vec<Power> = Vec::with_capacity(factors.len());
+    pub(super) fn push(&mut self, factors: &[Power]) {
+        let mut powers: Vec<Multiplicity> = Vec::with_capacity(factors.len());
         for factor in factors {
             let literal = if factor.exponent < 0 { Literal::Inverse(factor.base) } else { Literal::Base(factor.base) };
             let literal = self.literal(literal);
@@ -89,7 +89,7 @@ impl Products {
 }
 
 /// Every pair of literals in a product and how many disjoint times it occurs there.
-fn each_pair(product: &[Power], mut count: impl FnMut((u32, u32), u64)) {
+fn each_pair(product: &[Multiplicity], mut count: impl FnMut((u32, u32), u64)) {
     for (at, &(a, m)) in product.iter().enumerate() {
         if m > 1 {
             count((a, a), m / 2);
@@ -100,15 +100,15 @@ fn each_pair(product: &[Power], mut count: impl FnMut((u32, u32), u64)) {
     }
 }
 
-fn exponent(product: &[Power], literal: u32) -> u64 {
+fn exponent(product: &[Multiplicity], literal: u32) -> u64 {
     product.iter().find(|power| power.0 == literal).map_or(0, |power| power.1)
 }
 
-fn has_pair(product: &[Power], (a, b): (u32, u32)) -> bool {
+fn has_pair(product: &[Multiplicity], (a, b): (u32, u32)) -> bool {
     exponent(product, a) > u64::from(a == b) && exponent(product, b) > 0
 }
 
-fn take_pair(product: &mut Vec<Power>, (a, b): (u32, u32), shared: u32) {
+fn take_pair(product: &mut Vec<Multiplicity>, (a, b): (u32, u32), shared: u32) {
     let times = if a == b { exponent(product, a) / 2 } else { exponent(product, a).min(exponent(product, b)) };
     for literal in [a, b] {
         if let Some(power) = product.iter_mut().find(|power| power.0 == literal) {

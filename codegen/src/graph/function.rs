@@ -4,7 +4,7 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 use super::build::Graph;
-use super::node::{Factor, Id, Node};
+use super::node::{Id, Node, Power};
 use super::rational::{self, Rational};
 
 impl Graph {
@@ -50,7 +50,7 @@ impl Graph {
         let multiple = match self.node(a) {
             Node::Rational(r) if r.is_zero() => *r,
             Node::Pi => Rational::one(),
-            Node::Product(multiple, factors) if **factors == [Factor { base: Id::PI, exponent: 1 }] => *multiple,
+            Node::Product(multiple, factors) if **factors == [Power { base: Id::PI, exponent: 1 }] => *multiple,
             _ => return None,
         };
         let eighths = rational::times(&multiple, &Rational::from_integer(4))?;
@@ -77,9 +77,9 @@ impl Graph {
 
     /// Applies (√u)² = u in a product, so that at most one of √u and 1/√u is left, and never beside a power of u of
     /// the other sign. Says whether the factors must be collected again.
-    pub(super) fn reduce_roots(&mut self, constant: &mut Rational, flat: &mut Vec<Factor>) -> bool {
+    pub(super) fn reduce_roots(&mut self, constant: &mut Rational, flat: &mut Vec<Power>) -> bool {
         for at in 0..flat.len() {
-            let Factor { base, exponent } = flat[at];
+            let Power { base, exponent } = flat[at];
             let (radicand, left) = match *self.node(base) {
                 Node::Sqrt2 => (None, exponent.rem_euclid(2)),
                 Node::Sqrt(u) => {

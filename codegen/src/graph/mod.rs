@@ -33,7 +33,7 @@ mod tests;
 
 pub use build::Graph;
 pub use evaluate::Unbound;
-pub use node::{Addend, Factor, Id, Node, Symbol};
+pub use node::{Addend, Id, Node, Power, Symbol};
 pub use program::{Constant, Operations, Program, Step, Value};
 pub use rational::{Rational, to_f64};
 pub use tape::{Evaluator, Tape, WrongLength};

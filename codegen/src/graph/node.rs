@@ -48,7 +48,7 @@ pub struct Addend {
 
 /// `base ^ exponent` in a product.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct Factor {
+pub struct Power {
     /// What is raised.
     pub base: Id,
     /// Never zero; negative divides.
@@ -69,7 +69,7 @@ pub enum Node {
     /// At least two terms, ordered by node; like terms are one.
     Sum(Box<[Addend]>),
     /// A constant other than zero times factors, ordered by base; like factors are one. A power is a product of one factor.
-    Product(Rational, Box<[Factor]>),
+    Product(Rational, Box<[Power]>),
     /// Square root.
     Sqrt(Id),
     /// Sine of an angle in rad.
@@ -81,7 +81,7 @@ pub enum Node {
 impl Node {
     /// The expressions this one is made of, with repetition; the unit of a sum's constant is not one of them.
     pub fn children(&self) -> impl Iterator<Item = Id> + '_ {
-        let (terms, factors, argument): (&[Addend], &[Factor], Option<Id>) = match self {
+        let (terms, factors, argument): (&[Addend], &[Power], Option<Id>) = match self {
             Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => (&[], &[], None),
             Node::Sum(terms) => (terms, &[], None),
             Node::Product(_, factors) => (&[], factors, None),

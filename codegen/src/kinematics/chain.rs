@@ -3,12 +3,12 @@
 //! Rotary axis, T(1): `OM · SM · EM · AM`, the errors stand before the motion. Linear axis, T(2):
 //! `SM · TM · EM`, they follow it. OM and SM are one matrix here: `OM · SM` is SM with OM's translation.
 
-use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, Transform, Vector};
+use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, PolyVector, Transform};
 use crate::basis::Coordinate;
 use crate::model::{Axis, AxisKind, Ball, Model, Run};
 
 /// The workpiece ball and the tool ball in machine coordinates, T(3) and T(8), mm.
-pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[Vector; 2], AlgebraError> {
+pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[PolyVector; 2], AlgebraError> {
     let (workpiece, tool) = run.at.raw.split_at(model.workpiece.len());
     Ok([
         position(&model.workpiece, workpiece, &run.workpiece_ball, &model.alphabet, order)?,
@@ -23,7 +23,7 @@ fn position(
     ball: &Ball,
     alphabet: &Alphabet,
     order: Order,
-) -> Result<Vector, AlgebraError> {
+) -> Result<PolyVector, AlgebraError> {
     let mut point = ball.at.clone();
     if let Some(setup) = ball.setup {
         for (coordinate, error) in point.iter_mut().zip(setup) {
@@ -66,8 +66,8 @@ fn small(errors: [Option<ErrorId>; 6]) -> Transform {
     Transform::small([a, b, c], [x, y, z])
 }
 
-fn along(direction: &Vector, travel: &Poly) -> Result<Vector, AlgebraError> {
-    let mut by = Vector::default();
+fn along(direction: &PolyVector, travel: &Poly) -> Result<PolyVector, AlgebraError> {
+    let mut by = PolyVector::default();
     for (b, d) in by.iter_mut().zip(direction) {
         *b = d.times(travel, Order::NOMINAL)?;
     }
@@ -75,7 +75,7 @@ fn along(direction: &Vector, travel: &Poly) -> Result<Vector, AlgebraError> {
 }
 
 /// Rodrigues' rotation about a unit vector n: `cos·I + sin·[n]× + (1 − cos)·n nᵀ`.
-fn rotation(n: &Vector, sin: &Poly, cos: &Poly, alphabet: &Alphabet) -> Result<Transform, AlgebraError> {
+fn rotation(n: &PolyVector, sin: &Poly, cos: &Poly, alphabet: &Alphabet) -> Result<Transform, AlgebraError> {
     let times = |a: &Poly, b: &Poly| a.times(b, Order::NOMINAL);
     let versine = Poly::one().minus(cos)?;
     let mut rows: [[Poly; 3]; 3] = Default::default();
@@ -92,5 +92,5 @@ fn rotation(n: &Vector, sin: &Poly, cos: &Poly, alphabet: &Alphabet) -> Result<T
             *entry = value.normal(alphabet)?;
         }
     }
-    Ok(Transform::new(rows, Vector::default()))
+    Ok(Transform::new(rows, PolyVector::default()))
 }

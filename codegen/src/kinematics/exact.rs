@@ -13,8 +13,8 @@ pub trait ErrorValues {
     fn value(&self, error: ErrorId, coordinate: f64) -> f64;
 }
 
-/// A point in machine coordinates, mm.
-pub type Point = [f64; 3];
+/// A place in machine coordinates, mm.
+pub type Place = [f64; 3];
 
 /// A run with everything nominal worked out at each of its samples; only the errors are missing.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub struct ExactRun {
 #[derive(Clone, Debug)]
 struct NumericAxis {
     kind: AxisKind,
-    direction: Point,
+    direction: Place,
     location: [Option<ErrorId>; 6],
     motion: [ErrorId; 6],
 }
@@ -36,7 +36,7 @@ struct NumericAxis {
 #[derive(Clone, Debug)]
 struct Station {
     coordinates: TiVec<AxisId, Option<f64>>,
-    balls: [Point; 2],
+    balls: [Place; 2],
 }
 
 impl ExactRun {
@@ -62,7 +62,7 @@ impl ExactRun {
     }
 
     /// The workpiece ball and the tool ball at every sample.
-    pub fn balls<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = [Point; 2]> + 'a {
+    pub fn balls<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = [Place; 2]> + 'a {
         self.stations.iter().map(|station| {
             let (workpiece, tool) = station.coordinates.raw.split_at(self.sides[0].len());
             let [w, t] = station.balls;
@@ -82,11 +82,11 @@ impl ExactRun {
 fn position(
     axes: &[NumericAxis],
     coordinates: &[Option<f64>],
-    ball: Point,
+    ball: Place,
     setup: Option<[ErrorId; 3]>,
     errors: &impl ErrorValues,
-) -> Point {
-    let mut point: Point = core::array::from_fn(|i| ball[i] + setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
+) -> Place {
+    let mut point: Place = core::array::from_fn(|i| ball[i] + setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
     for (axis, coordinate) in axes.iter().zip(coordinates).rev() {
         let &Some(coordinate) = coordinate else { continue };
         let motion = axis.motion.map(|e| errors.value(e, coordinate));
@@ -103,12 +103,12 @@ fn position(
 }
 
 /// `[1 −c b x; c 1 −a y; −b a 1 z] · p`
-fn small([x, y, z, a, b, c]: &[f64; 6], [px, py, pz]: Point) -> Point {
+fn small([x, y, z, a, b, c]: &[f64; 6], [px, py, pz]: Place) -> Place {
     [px - c * py + b * pz + x, c * px + py - a * pz + y, -b * px + a * py + pz + z]
 }
 
 /// Rodrigues' rotation of `p` about the unit vector `n`.
-fn rotate(n: &Point, angle: f64, p: Point) -> Point {
+fn rotate(n: &Place, angle: f64, p: Place) -> Place {
     let (sin, cos) = angle.sin_cos();
     let cross = [n[1] * p[2] - n[2] * p[1], n[2] * p[0] - n[0] * p[2], n[0] * p[1] - n[1] * p[0]];
     let along = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];

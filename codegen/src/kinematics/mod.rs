@@ -6,4 +6,4 @@ mod chain;
 mod exact;
 
 pub use chain::ball_positions;
-pub use exact::{ErrorValues, ExactRun, Point};
+pub use exact::{ErrorValues, ExactRun, Place};

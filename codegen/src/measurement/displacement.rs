@@ -1,14 +1,19 @@
 //! The displacement of the tool ball against the workpiece ball along one direction: an R-test's channel, a probed sphere.
 
 use super::error::{ReadingError, length};
-use crate::algebra::{Order, Poly, Vector, difference, dot};
+use crate::algebra::{Order, Poly, PolyVector, difference, dot};
 use crate::kinematics::ball_positions;
 use crate::model::{Model, Run};
 
 /// `n · (TB − WB)` up to `order` errors.
 ///
 /// Nominally the balls must coincide: then the instrument's own orientation enters only with a second error.
-pub(super) fn displacement(model: &Model, run: &Run, direction: &Vector, order: Order) -> Result<Poly, ReadingError> {
+pub(super) fn displacement(
+    model: &Model,
+    run: &Run,
+    direction: &PolyVector,
+    order: Order,
+) -> Result<Poly, ReadingError> {
     let alphabet = &model.alphabet;
     let [workpiece, tool] = ball_positions(model, run, order)?;
     let v = difference(&tool, &workpiece)?;

@@ -1,7 +1,7 @@
 //! What an instrument reads exactly: nothing truncated, at any sizes of the errors.
 
 use crate::algebra::at;
-use crate::kinematics::{ErrorValues, ExactRun, Point};
+use crate::kinematics::{ErrorValues, ExactRun, Place};
 use crate::model::{Model, ReadingKind, Run};
 
 /// A run and its instrument with everything nominal worked out at each of its samples; only the errors are missing.
@@ -16,7 +16,7 @@ enum Instrument {
     /// The bar's nominal length, mm.
     Bar(f64),
     /// The unit vector at every sample.
-    Displacement(Vec<Point>),
+    Displacement(Vec<Place>),
 }
 
 impl ExactReading {
@@ -40,8 +40,8 @@ impl ExactReading {
     /// The reading at every sample, mm: the bar's length less its nominal length, T(4), or `n · (TB − WB)`.
     pub fn values<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = f64> + 'a {
         self.run.balls(errors).enumerate().map(move |(i, [workpiece, tool])| {
-            let v: Point = core::array::from_fn(|k| tool[k] - workpiece[k]);
-            let dot = |a: &Point, b: &Point| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let v: Place = core::array::from_fn(|k| tool[k] - workpiece[k]);
+            let dot = |a: &Place, b: &Place| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             match &self.instrument {
                 Instrument::Bar(radius) => dot(&v, &v).sqrt() - radius,
                 Instrument::Displacement(directions) => directions.get(i).map_or(0.0, |n| dot(n, &v)),

@@ -3,7 +3,7 @@
 //! A [`Model`] is consistent by construction: it comes from a [`super::Draft`], which a model file, the builder and the
 //! derive macro all fill, and whose `build` refuses what the later rooms could not handle.
 
-use crate::algebra::{Alphabet, ErrorId, NominalId, SweepId, Vector};
+use crate::algebra::{Alphabet, ErrorId, NominalId, PolyVector, SweepId};
 use crate::basis::{Basis, Coordinate};
 use crate::ids::{AxisId, FunctionId, RunId};
 use crate::iso::{Component, Notation};
@@ -28,7 +28,7 @@ pub struct Model {
     /// The runs in the order of their elimination.
     pub runs: TiVec<RunId, Run>,
     /// What is assumed of every motion error: errors without an entry must not appear in a reading.
-    pub functions: TiVec<FunctionId, Function>,
+    pub functions: TiVec<FunctionId, ErrorFunction>,
     /// Parameters to be used as pivots first, in this order.
     pub order: Vec<Text>,
 }
@@ -53,14 +53,14 @@ impl Model {
     }
 
     /// The assumption about a motion error.
-    pub fn function(&self, error: ErrorId) -> Option<(FunctionId, &Function)> {
+    pub fn function(&self, error: ErrorId) -> Option<(FunctionId, &ErrorFunction)> {
         self.functions.iter_enumerated().find(|(_, f)| f.error == error)
     }
 }
 
 /// What is assumed of a motion error as a function of its axis' coordinate.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Function {
+pub struct ErrorFunction {
     /// The motion error.
     pub error: ErrorId,
     /// Its basis.
@@ -79,7 +79,7 @@ pub struct Axis {
     /// Turning or sliding.
     pub kind: AxisKind,
     /// Exact unit vector of the positive motion, in machine coordinates.
-    pub direction: Vector,
+    pub direction: PolyVector,
     /// Location errors (ISO 230-1 EX0A … EC0A), X Y Z A B C, where the model has them.
     pub location: [Option<ErrorId>; 6],
     /// Against which other axes its orientation errors are declared.
@@ -131,7 +131,7 @@ pub struct Run {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ball {
     /// Nominal place in the frame of the last axis, mm.
-    pub at: Vector,
+    pub at: PolyVector,
     /// Its set-up errors along x, y, z.
     pub setup: Option<[ErrorId; 3]>,
 }
@@ -143,5 +143,5 @@ pub enum ReadingKind {
     BarLength(NominalId),
     /// The displacement of the tool ball against the workpiece ball, which nominally coincide, along this exact unit
     /// vector in machine coordinates; it may turn with the sweep. One channel of an R-test or of a probe on a sphere.
-    Displacement(Vector),
+    Displacement(PolyVector),
 }

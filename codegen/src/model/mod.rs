@@ -12,13 +12,13 @@ mod problem;
 mod reference;
 mod resolve;
 
-pub use description::{Axis, AxisKind, Ball, Function, Model, ReadingKind, Reference, Run};
+pub use description::{Axis, AxisKind, Ball, ErrorFunction, Model, ReadingKind, Reference, Run};
 pub use draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun};
 pub use file::{read, read_draft};
 pub use problem::{Problem, ProblemKind};
 
 pub use crate::expression::{
-    EvaluationError, Expected, Expr, Meaning, Node, Operator, Scope, SyntaxError, parse, parse_equation,
+    EvaluationError, Expected, Expr, ExprKind, Meaning, Operator, Scope, SyntaxError, parse, parse_equation,
 };
 pub use crate::iso::{Component, Notation, iso_location, iso_motion};
 pub use crate::source::{Span, Text};

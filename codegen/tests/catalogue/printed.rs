@@ -72,7 +72,7 @@ fn c99_of_whole_models() {
     for name in MODELS {
         let (model, derivation) = derived(name);
         let mut source =
-            c99::sources(&model, &derivation, c::Real::Double).unwrap().single() + "\n#include <stdio.h>\n";
+            c99::sources(&model, &derivation, c::Precision::Double).unwrap().single() + "\n#include <stdio.h>\n";
         source += "static void show(const double *o, int n)\n{\n    int i;\n";
         source += "    for (i = 0; i < n; i++) printf(\"%.17g \", o[i]);\n}\n";
         source += "int main(void)\n{\n    int i;\n    double o[200];\n    double k[200];\n    (void)k;\n";

@@ -40,7 +40,7 @@ fn every_form_of_two_models() {
             snapshot(format!("{name}.latex"), &equations::latex(&model, &derivation));
             let rust = rust::model_source(&model, &derivation, &Support::of_solver());
             snapshot(format!("{name}.rust"), &rust.unwrap());
-            let c = c99::sources(&model, &derivation, c::Real::Double).unwrap();
+            let c = c99::sources(&model, &derivation, c::Precision::Double).unwrap();
             snapshot(format!("{name}.h"), &c.header);
             snapshot(format!("{name}.c"), &c.source);
             snapshot(format!("{name}.numpy"), &numpy::model_source(&model, &derivation).unwrap());

@@ -50,7 +50,7 @@ pub fn tilting() -> Case {
     Case { graph: g, function, inputs, outputs }
 }
 
-/// A residual of roots, quotients, sines and cosines with its Jacobian and a scalar, for several outputs of each shape.
+/// A residual of roots, quotients, sines and cosines with its Jacobian and a single value, for several outputs of each form.
 pub fn strut() -> Case {
     let mut g = Graph::new();
     let [x, y, z, base] = g.inputs();
@@ -76,7 +76,11 @@ pub fn strut() -> Case {
         "strut",
         &["A residual and its exact Jacobian."],
         Input::all(&inputs),
-        &[Output::array("residual", &named), Output::matrix("jacobian", &jacobian), Output::scalar("lean", lean)],
+        &[
+            Output::array("residual", &named),
+            Output::matrix("jacobian", &jacobian),
+            Output::array("lean", &[("lean", lean)]),
+        ],
     )
     .unwrap();
     Case { graph: g, function, inputs, outputs }

@@ -38,7 +38,13 @@ pub fn tilting<T: Real>(r: T, a: T) -> [T; 10] {
 ///
 /// 37 multiplications, 13 additions, 2 divisions, 1 square root, 1 sine and cosine.
 #[must_use]
-pub fn strut<T: Real>(x: T, y: T, z: T, b: T, _unused: T) -> ([T; 3], [[T; 3]; 3], T) {
+pub fn strut<T: Real>(
+    x: T,
+    y: T,
+    z: T,
+    b: T,
+    _unused: T,
+) -> ([T; 3], [[T; 3]; 3], [T; 1]) {
     let n1_3 = T::of(1.0 / 3.0);
     let n2_3 = T::of(2.0 / 3.0);
     let n1 = T::of(1.0);
@@ -80,6 +86,6 @@ pub fn strut<T: Real>(x: T, y: T, z: T, b: T, _unused: T) -> ([T; 3], [[T; 3]; 3
             [jacobian_1_0, jacobian_1_1, jacobian_1_2],
             [jacobian_2_0, jacobian_2_1, jacobian_2_2],
         ],
-        lean,
+        [lean],
     )
 }

@@ -48,7 +48,7 @@ fn rust_computes_residual_and_jacobian() {
     let case = strut();
     for point in points(&STRUT, 1000) {
         let (residual, jacobian, lean) = generated::strut(point[0], point[1], point[2], point[3], point[4]);
-        let actual = residual.into_iter().chain(jacobian.into_iter().flatten()).chain([lean]);
+        let actual = residual.into_iter().chain(jacobian.into_iter().flatten()).chain(lean);
         for (index, (actual, expected)) in actual.zip(case.expected(&point)).enumerate() {
             assert_close(actual, expected, STRUT_SCALE, f64::EPSILON, &format!("output {index}"));
         }

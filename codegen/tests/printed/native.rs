@@ -13,20 +13,20 @@ use super::functions::{Case, strut, tilting};
 fn run(
     name: &str,
     case: &Case,
-    real: c::Real,
+    real: c::Precision,
     points: &[Vec<f64>],
     call: &str,
     outputs: usize,
 ) -> Option<Vec<Vec<f64>>> {
-    let kind = if real == c::Real::Double { "double" } else { "float" };
-    let mut source = header("//", "a test") + c::INCLUDES + "#include <stdio.h>\n\n";
+    let kind = if real == c::Precision::Double { "double" } else { "float" };
+    let mut source = header("//", "a test") + "#include <math.h>\n#include <stdio.h>\n\n";
     source += &c::function(&case.function, real);
     let width = case.inputs.len();
     writeln!(source, "static const {kind} points[][{width}] = {{").unwrap();
     for point in points {
         let values = point.iter().map(|value| match real {
-            c::Real::Double => format!("{value:?}"),
-            c::Real::Float => format!("{:?}f", *value as f32),
+            c::Precision::Double => format!("{value:?}"),
+            c::Precision::Float => format!("{:?}f", *value as f32),
         });
         writeln!(source, "{{{}}},", values.collect::<Vec<_>>().join(", ")).unwrap();
     }
@@ -58,10 +58,10 @@ fn run(
 fn c_computes_the_row() {
     let case = tilting();
     for (name, real, epsilon) in
-        [("row_double", c::Real::Double, f64::EPSILON), ("row_float", c::Real::Float, f32::EPSILON.into())]
+        [("row_double", c::Precision::Double, f64::EPSILON), ("row_float", c::Precision::Float, f32::EPSILON.into())]
     {
         let mut points = points(&TILTING, 200);
-        if real == c::Real::Float {
+        if real == c::Precision::Float {
             points.iter_mut().flatten().for_each(|value| *value = f64::from(*value as f32));
         }
         let Some(rows) = run(name, &case, real, &points, "tilting(p[0], p[1], o);", 10) else {
@@ -82,7 +82,7 @@ fn c_computes_residual_and_jacobian() {
     let points = points(&STRUT, 200);
     let call = "double J[3][3]; strut(p[0], p[1], p[2], p[3], p[4], o, J, &o[12]);
         for (j = 0; j < 9; j++) o[3 + j] = J[j / 3][j % 3];";
-    let Some(rows) = run("strut", &case, c::Real::Double, &points, call, 13) else {
+    let Some(rows) = run("strut", &case, c::Precision::Double, &points, call, 13) else {
         return;
     };
     assert_eq!(rows.len(), points.len());

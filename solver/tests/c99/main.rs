@@ -1,7 +1,7 @@
 //! The solver that is printed as C99, compiled without a warning, against the Rust one on the reference runs.
 
 use std::{env, fs, path::Path, process::Command};
-use trunnion_codegen::{catalogue, emit::c::Real as Kind, emit::c99, identify};
+use trunnion_codegen::{catalogue, emit::c::Precision as Kind, emit::c99, identify};
 use trunnion_solver::Real;
 use trunnion_solver::tilting::{Joint, Lengths};
 

@@ -182,7 +182,7 @@ fn gained(
 
 /// Functions that `model` takes as known and that this run of `other` helps to estimate.
 fn finds(model: &Model, other: &Model, derivation: &Derivation, run: &str) -> Vec<String> {
-    let sees = |(i, f): (FunctionId, &trunnion_codegen::model::Function)| {
+    let sees = |(i, f): (FunctionId, &trunnion_codegen::model::ErrorFunction)| {
         // Of a reading in three components each is a run: `low-x`.
         let own = |name: &str| name == run || name.strip_prefix(run).is_some_and(|rest| rest.starts_with('-'));
         let holds = |b: &BaseId| {

@@ -1,7 +1,7 @@
 //! The model's own functions: a push for each run, a value for each estimated function.
 
 use super::{c, model};
-use crate::emit::c::Real;
+use crate::emit::c::Precision;
 use crate::emit::function::Function;
 use crate::emit::layout::listed;
 use crate::emit::model::EstimatedFunction;
@@ -31,7 +31,12 @@ impl Locals {
     }
 }
 
-pub(super) fn functions(model: &Model, derivation: &Derivation, real: Real, prefix: &str) -> Result<Printed, Unbound> {
+pub(super) fn functions(
+    model: &Model,
+    derivation: &Derivation,
+    real: Precision,
+    prefix: &str,
+) -> Result<Printed, Unbound> {
     let mut printed = Printed::default();
     for (at, run) in derivation.runs.iter_enumerated() {
         if !run.regressors.is_empty() {
@@ -46,7 +51,7 @@ pub(super) fn functions(model: &Model, derivation: &Derivation, real: Real, pref
 }
 
 /// A function of this file alone.
-fn internal(mut function: Function, name: String, real: Real) -> String {
+fn internal(mut function: Function, name: String, real: Precision) -> String {
     function.name = name;
     format!("\n{}", c::function(&function, real).replacen("\nvoid ", "\nstatic void ", 1))
 }
@@ -57,7 +62,7 @@ fn push(
     derivation: &Derivation,
     at: RunId,
     function: Function,
-    real: Real,
+    real: Precision,
     prefix: &str,
 ) {
     let run = &derivation.runs[at];
@@ -102,7 +107,7 @@ fn push(
     printed.definitions += &format!("    return {prefix}_push({fit}, {all}, {reading}, 1);\n}}\n");
 }
 
-fn value(printed: &mut Printed, estimated: EstimatedFunction, real: Real, prefix: &str) {
+fn value(printed: &mut Printed, estimated: EstimatedFunction, real: Precision, prefix: &str) {
     let (kind, upper) = (real.name(), prefix.to_uppercase());
     // Not estimated by its coefficients, the function cannot be evaluated from what is.
     let Some(places) = estimated.coefficients else { return };

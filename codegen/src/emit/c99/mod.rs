@@ -5,7 +5,7 @@
 
 mod functions;
 
-use super::c::{self, Real};
+use super::c::{self, Precision};
 use super::header;
 use super::layout::listed;
 use super::model;
@@ -36,7 +36,7 @@ impl Sources {
 ///
 /// # Errors
 /// An expression depends on a symbol that is neither a constant nor the run's sweep.
-pub fn sources(model: &Model, derivation: &Derivation, real: Real) -> Result<Sources, Unbound> {
+pub fn sources(model: &Model, derivation: &Derivation, real: Precision) -> Result<Sources, Unbound> {
     let prefix = prefix(&model.name);
     let names: Vec<&str> = derivation.base.iter().map(|base| base.name.as_str()).collect();
     let printed = functions::functions(model, derivation, real, &prefix)?;

@@ -20,7 +20,7 @@ pub fn latex(model: &Model, derivation: &Derivation) -> String {
         let start = format!("{left} &= ");
         align([d.reading(run), d.equation(run)].map(|right| equation(&start, &right, 2)).into());
     }
-    let function = |(i, f): (FunctionId, &crate::model::Function)| {
+    let function = |(i, f): (FunctionId, &crate::model::ErrorFunction)| {
         let x = d.coordinate(i);
         Some(equation(&format!("{}({x}) &= ", d.error(f.error)), &d.function(i, &x)?, 2))
     };

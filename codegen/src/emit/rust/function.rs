@@ -23,7 +23,6 @@ pub(super) fn item(function: &Function, called: &str, support: &Support) -> Toke
         let (own, others) = rest.split_at(form.len());
         rest = others;
         match form {
-            Form::Scalar => quote!(#(#own)*),
             Form::Array(_) => quote!([#(#own),*]),
             Form::Matrix(_, columns) => {
                 let rows = own.chunks(columns.max(1)).map(|row| quote!([#(#row),*]));
@@ -63,7 +62,6 @@ pub(super) fn docs<S: AsRef<str>>(lines: &[S]) -> TokenStream {
 
 fn kind(form: Form) -> TokenStream {
     match form {
-        Form::Scalar => quote!(T),
         Form::Array(n) => {
             let n = Literal::usize_unsuffixed(n);
             quote!([T; #n])

@@ -2,18 +2,18 @@
 
 use super::resolver::Resolver;
 use crate::algebra::ErrorId;
-use crate::basis::{Basis, Condition, satisfying};
+use crate::basis::{Basis, LinearCondition, satisfying};
 use crate::expression::{Scope, parse_equation};
 use crate::ids::FunctionId;
 use crate::model::conditions::condition;
-use crate::model::{Axis, AxisKind, Draft, DraftBasis, DraftFunction, Function, ProblemKind};
+use crate::model::{Axis, AxisKind, Draft, DraftBasis, DraftFunction, ErrorFunction, ProblemKind};
 use crate::source::Text;
 use typed_index_collections::TiVec;
 
 impl Resolver {
     /// All of them, of the errors of `axes`.
-    pub fn functions(&mut self, draft: &Draft, axes: &[&Axis]) -> TiVec<FunctionId, Function> {
-        let mut functions: TiVec<FunctionId, Function> =
+    pub fn functions(&mut self, draft: &Draft, axes: &[&Axis]) -> TiVec<FunctionId, ErrorFunction> {
+        let mut functions: TiVec<FunctionId, ErrorFunction> =
             draft.functions.iter().filter_map(|f| self.function(f, axes)).collect();
         for (i, f) in draft.functions.iter().enumerate() {
             let same = |g: &DraftFunction| {
@@ -35,7 +35,7 @@ impl Resolver {
         functions
     }
 
-    fn function(&mut self, f: &DraftFunction, axes: &[&Axis]) -> Option<Function> {
+    fn function(&mut self, f: &DraftFunction, axes: &[&Axis]) -> Option<ErrorFunction> {
         let motion = |id: &ErrorId| axes.iter().find(|axis| axis.motion.contains(id));
         let error = self.error(&f.error.value);
         let Some((error, axis)) = error.and_then(|id| Some((id, motion(&id)?))) else {
@@ -58,10 +58,10 @@ impl Resolver {
                 )
             }
         };
-        Some(Function { error, basis, estimate: false, place: f.error.span.clone() })
+        Some(ErrorFunction { error, basis, estimate: false, place: f.error.span.clone() })
     }
 
-    fn condition(&mut self, text: &Text) -> Option<Condition> {
+    fn condition(&mut self, text: &Text) -> Option<LinearCondition> {
         let (left, right) = self.parsed(text, parse_equation(&text.value))?;
         let found = condition(&Scope { alphabet: &self.alphabet, sweep: None }, &left, &right);
         self.meaning(text, found)?.or_else(|| self.problem(&text.span, ProblemKind::NotACondition))

@@ -1,6 +1,6 @@
 //! What resolving has found so far, and what every part of it needs: exact values of texts.
 
-use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, SweepId, Vector, dot};
+use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, PolyVector, SweepId, dot};
 use crate::expression::{EvaluationError, Meaning, Scope, SyntaxError, parse};
 use crate::model::{Problem, ProblemKind};
 use crate::source::{Span, Text};
@@ -30,7 +30,7 @@ impl Resolver {
     }
 
     /// An exact unit vector, along an axis of the machine's coordinates or of three components.
-    pub fn direction(&mut self, written: &[Text], owner: &Span, sweep: Option<SweepId>) -> Option<Vector> {
+    pub fn direction(&mut self, written: &[Text], owner: &Span, sweep: Option<SweepId>) -> Option<PolyVector> {
         let direction = match written {
             [single] => {
                 let unit =
@@ -53,9 +53,9 @@ impl Resolver {
     }
 
     /// Three expressions; an empty list is the origin.
-    pub fn vector(&mut self, texts: &[Text], span: &Span, sweep: Option<SweepId>) -> Option<Vector> {
+    pub fn vector(&mut self, texts: &[Text], span: &Span, sweep: Option<SweepId>) -> Option<PolyVector> {
         if texts.is_empty() {
-            return Some(Vector::default());
+            return Some(PolyVector::default());
         }
         if texts.len() != 3 {
             let span = texts.first().map_or(span.clone(), |t| t.span.clone());
