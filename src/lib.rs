@@ -12,7 +12,7 @@
 //! let runs = [("tilting", "tilting.csv"), ("separation", "separation.csv")];
 //! let observations = data::observations(&setup, &runs, Some("table.csv".as_ref()))?;
 //! let fit = study::fit(&setup, &observations, Estimator::Joint)?;
-//! let report = study::report(&setup, &observations, &fit, study::ErrorLimits::PAPER, false)?;
+//! let report = study::report(&setup, &observations, &fit, study::ErrorLimits::PAPER, &study::Instrument::default(), false)?;
 //! println!("{report}");
 //!
 //! let eps_xa = &report.functions[0];

@@ -80,7 +80,7 @@ fn the_largest_error_is_distributed_as_in_an_independent_study() {
     let draws =
         Draws { trials: MACHINES, samples: 360, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: NOISE, seed: 1 };
     for Independent { estimator, noise, linearisation, both } in independent {
-        let trials = monte_carlo(&setup, draws, estimator, function, &|| ()).unwrap();
+        let (_, trials) = monte_carlo(&setup, draws, estimator, function, &|| ()).unwrap();
         let compare = |what: &str, values: Vec<f64>, (mean, p95): (f64, f64)| {
             let spread = Spread::of(values.into_iter().map(|x| x * 1e6).collect()).unwrap();
             println!("{estimator:?}, {what}: {:.3} and {:.3}; study {mean} and {p95}", spread.mean, spread.p95);
@@ -101,7 +101,7 @@ fn a_machine_does_not_depend_on_the_number_of_others() {
     let function = setup.estimated().next().unwrap();
     let run = |trials| {
         let draws = Draws { trials, samples: 36, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: NOISE, seed: 5 };
-        monte_carlo(&setup, draws, Estimator::Joint, function, &|| ()).unwrap()
+        monte_carlo(&setup, draws, Estimator::Joint, function, &|| ()).unwrap().1
     };
     assert_eq!(run(20)[..7], run(7)[..]);
 }

@@ -45,6 +45,17 @@ fn table(contents: &str) -> Table {
 }
 
 #[test]
+fn a_table_may_say_how_uncertain_it_is() {
+    let known = table("a_deg,ex_urad,u_ex_urad\n0,1,0.5\n10,3,1.5\n");
+    let at = known.at(5f64.to_radians()).unwrap();
+    assert!((at.values[0] - 2e-6).abs() < 1e-18 && (at.stds[0] - 1e-6).abs() < 1e-18);
+    assert_eq!(table("a_deg,ex_urad\n0,1\n10,3\n").at(0.0).unwrap().stds, [0.0]);
+    let (_kept, path) = file(b"a_deg,ex_urad,u_ex_urad\n0,1,-0.5\n10,3,1.5\n");
+    let refused = Table::read(&path, "a", &angles("ex")).unwrap_err().to_string();
+    assert!(refused.contains("a negative uncertainty in column u_ex"), "{refused}");
+}
+
+#[test]
 fn reference_runs_are_read_in_rad_and_mm() {
     for (set, samples) in [("full", 360), ("exact", 360), ("r100", 720), ("arc220", 440), ("arc90", 360)] {
         for run in ["tilting.csv", "separation.csv"] {
@@ -64,7 +75,7 @@ fn reference_tables_are_exact_at_their_nodes() {
         let sweep = Sweep::read(&reference(set, "tilting.csv"), "a", radius(), 11).unwrap();
         let at = known.at_samples(&sweep).unwrap();
         let text = fs::read_to_string(reference(set, "table.csv")).unwrap();
-        for (values, line) in at.values.iter().zip(text.lines().skip(1)) {
+        for (values, line) in at.samples.iter().map(|s| &s.values).zip(text.lines().skip(1)) {
             let um: Vec<f64> = line.split(',').skip(1).map(|field| field.parse::<f64>().unwrap() / 1e3).collect();
             assert_eq!(*values, um);
         }
@@ -109,7 +120,7 @@ fn a_table_written_is_the_table_read() {
     let known = Table::read(&reference("full", "table.csv"), "a", &lengths()).unwrap();
     let (_kept, path) = file(b"");
     let angles: Vec<f64> = (0..=360).map(|a| f64::from(a).to_radians()).collect();
-    let lines = angles.iter().map(|angle| (*angle, known.at(*angle).unwrap()));
+    let lines = angles.iter().map(|angle| (*angle, known.at(*angle).unwrap().values));
     Table::write(&path, "a", &lengths(), lines).unwrap();
     let again = Table::read(&path, "a", &lengths()).unwrap();
     assert!(angles.iter().all(|angle| again.at(*angle) == known.at(*angle)));
@@ -118,7 +129,7 @@ fn a_table_written_is_the_table_read() {
 #[test]
 fn tables_are_linear_between_nodes_and_end_at_the_last() {
     let known = table("a_rad,ex_rad\n2,30\n0,10\n1,20\n1,20\n");
-    let values = [-0.1, 0.0, 0.5, 1.0, 1.25, 2.0, 2.1].map(|angle| known.at(angle).map(|v| v[0]));
+    let values = [-0.1, 0.0, 0.5, 1.0, 1.25, 2.0, 2.1].map(|angle| known.at(angle).map(|v| v.values[0]));
     assert_eq!(values, [None, Some(10.0), Some(15.0), Some(20.0), Some(22.5), Some(30.0), None]);
     assert!(!known.repeats());
 }
@@ -132,7 +143,7 @@ fn tables_of_a_whole_turn_repeat() {
     for known in [turn(10, 350), turn(10, 360)] {
         assert!(known.repeats());
         for degrees in [355.0, -5.0, 715.0] {
-            let value = known.at(f64::to_radians(degrees)).unwrap()[0];
+            let value = known.at(f64::to_radians(degrees)).unwrap().values[0];
             assert!((value - (1.0 + 10f64.to_radians().cos()) / 2.0).abs() < 1e-12, "{degrees} {value}");
         }
     }
@@ -156,8 +167,12 @@ fn truth_has_the_shape_of_the_reference() {
             samples: expected["samples"].as_u64().unwrap() as usize,
             noise_um: number(&expected["noise_um"]),
             range_deg: (number(&expected["range_deg"][0]), number(&expected["range_deg"][1])),
-            angle: "a".into(),
-            functions: vec![TruthFunction { name: "eps_xa".into(), unit: Unit::Urad, points }],
+            functions: vec![TruthFunction {
+                name: "eps_xa".into(),
+                unit: Unit::Urad,
+                coordinate: "a_deg".into(),
+                points,
+            }],
             constants: ["exa1", "exa2"].map(|name| (name.into(), number(&expected[name]))).to_vec(),
         };
         let (_kept, path) = file(b"");

@@ -31,6 +31,10 @@ fn bad(arguments: &[&str], input: &str, message: &str) {
     assert!(said.contains("\n  "), "{said:?} without a remedy");
 }
 
+fn good_json(arguments: &[&str], input: &str) -> Value {
+    serde_json::from_str(&good(arguments, input)).unwrap()
+}
+
 fn table(text: &str) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(|line| line.split(',').map(|field| field.parse().unwrap()).collect()).collect()
 }
@@ -107,6 +111,25 @@ fn bad_poses_are_refused_whole() {
 }
 
 #[test]
+fn ik_undoes_fk_beside_the_c_axis() {
+    let header = "l1_mm,l2_mm,l3_mm,a_deg,c_deg\n";
+    for tilt in [0.01, 0.03, 0.1, 0.3, 1.0] {
+        for a in [tilt, -tilt] {
+            let given = format!("{header}1300,1300,1250,{a},30\n1300,1250,1400,{a},-100\n1400,1350,1300,{a},170\n");
+            let poses = table(&good(&["fk", "-"], &given));
+            let line = |row: &Vec<f64>, part: std::ops::Range<usize>| {
+                row[part].iter().map(f64::to_string).collect::<Vec<_>>().join(",") + "\n"
+            };
+            let joints = table(&good(&["ik", "-"], &poses.iter().fold(HEADER.to_owned(), |s, r| s + &line(r, 0..6))));
+            let again = table(&good(&["fk", "-"], &joints.iter().fold(header.to_owned(), |s, r| s + &line(r, 3..8))));
+            for (found, pose) in again.iter().zip(&poses) {
+                assert!(found[..6].iter().zip(pose).all(|(a, b)| (a - b).abs() < 1e-7), "A = {a}: {found:?} {pose:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_machine_file_is_checked_by_line() {
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("machine.toml");
@@ -120,6 +143,11 @@ fn a_machine_file_is_checked_by_line() {
     refuse("xu_mm = 450.0", "xu_mm = 0.0", "line 9: xu_mm is not positive");
     refuse("a_deg = -45.0", "a_deg = 0.0", "line 21: a_deg at home points the tool along the C axis");
     refuse("a_deg = [-90.0, 90.0]", "a_deg = [90.0, -90.0]", "line 26: the range of the A axis is empty");
+    refuse(
+        "ys2_mm = 450.0",
+        "ys2_mm = 1e200",
+        "line 10: ys2_mm is so large that the machine's lengths are no finite numbers",
+    );
     refuse("zc_mm = 375.0", "zd_mm = 375.0", "unknown field");
 }
 
@@ -181,6 +209,10 @@ fn offset_is_found_with_and_without_the_dependent_rotation() {
         }
     }
     bad(&["offset", "-"], "x_mm,y_mm,z_mm,spindle_deg\n1,2,3,0\n", "at least 5");
+    // What is missing is not a line, but directions and the spindle's turn.
+    let four =
+        "x_mm,y_mm,z_mm,spindle_deg\n16.9,200.1,-168,0\n-0.1,217.1,-168,0\n17.1,199.9,-168,180\n0.1,216.9,-168,180\n";
+    bad(&["offset", "-"], four, "expected touches in four directions, and four more with the spindle reversed");
     let unturned: String = touches(true).lines().take(5).map(|line| format!("{line}\n")).collect();
     bad(&["offset", "-"], &(unturned + "-320,215,-168,16\n"), "spindle");
 }
@@ -194,6 +226,9 @@ fn a_corrected_ring_is_round() {
     assert!((corrected["least_squares"]["diameter_mm"].as_f64().unwrap() - 40.001).abs() < 1e-9);
     assert!(report(&["ring", "-", "--json"])["least_squares"]["roundness_mm"].as_f64().unwrap() > 0.1);
     let xyz = "x_mm,y_mm,z_mm\n";
+    let three = good_json(&["ring", "-", "--json"], &format!("{xyz}17.8,200,-168\n-8.7,215.2,-168\n-8.8,184.8,-168\n"));
+    assert_eq!(three["least_squares"]["standard_uncertainty_mm"], Value::Null);
+    assert_eq!(three["least_squares"]["residual_std_mm"], Value::Null);
     bad(&["ring", "-"], &format!("{xyz}1,2,3\n4,5,6\n"), "2 point(s) where a circle needs at least 3");
     bad(&["ring", "-"], &format!("{xyz}1,2,3\n1,2,3\n1,2,3\n1,2,3\n"), "all points are equal");
     bad(&["ring", "-"], &format!("{xyz}1,2,3\n2,4,3\n3,6,3\n4,8,3\n"), "on a straight line");

@@ -113,7 +113,7 @@ fn a_machine_of_ones_own_goes_through_every_command() {
     fs::write(at.join("all.csv"), all).unwrap();
     assert_eq!(one(&["--run", "bar=files/bar.csv", "--run", "ball=all.csv"]), fit);
 
-    let text = trunnion(at, "plan", &[&LENGTHS[..], &["--range-deg", "0:360", "-90:90"]].concat());
+    let text = trunnion(at, "plan", &[&LENGTHS[..], &["--range-deg", "0:360,-90:90"]].concat());
     for said in ["0…360°", "-90…90°", "without bar", "EBB", "cannot tell apart"] {
         assert!(text.contains(said), "{said}: {text}");
     }

@@ -5,11 +5,11 @@ use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use trunnion::study::plan::{Intended, additions, predict, subset};
 use trunnion::study::{
-    ErrorLimits, Estimator, Observation, Setup, SimulatedMachine, Variance, Weights, draw, fit, fit_with, grid,
+    ErrorLimits, Estimator, Fit, Observation, Setup, SimulatedMachine, Variance, Weights, draw, fit, fit_with, grid,
     neglected, systematic,
 };
 use trunnion_codegen::catalogue::{self, MODELS};
-use trunnion_codegen::identify::derive;
+use trunnion_codegen::identify::{Extent, derive};
 use trunnion_codegen::ids::{FunctionId, ParameterId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
@@ -44,11 +44,9 @@ fn simulate(setup: &Setup, samples: usize, limits: ErrorLimits, random: &mut Cha
 }
 
 /// What an estimated function is as the runs see it, and whether that is the function itself.
-fn seen(setup: &Setup, machine: &SimulatedMachine, function: FunctionId, x: f64) -> (f64, bool) {
-    let base = machine.base(setup);
-    let basis = setup.basis(function, x);
-    let alone = basis.iter().all(|(b, _)| setup.derivation.is_alone(*b));
-    (basis.iter().map(|(b, v)| base[*b] * v).sum(), alone)
+fn seen(setup: &Setup, machine: &SimulatedMachine, estimate: &Fit, function: FunctionId, x: f64) -> (f64, bool) {
+    let seen = estimate.seen(function).unwrap();
+    (seen.truth(setup, &machine.base(setup), x), seen.extent() == Extent::Determined)
 }
 
 #[test]
@@ -86,7 +84,7 @@ fn every_model_recovers_its_exact_simulation() {
             let mut largest = 0.0f64;
             for x in grid(36, (0.0, TAU)) {
                 let (value, _) = estimate.function(&setup, f, x);
-                let (truth, alone) = seen(&setup, &machine, f, x);
+                let (truth, alone) = seen(&setup, &machine, &estimate, f, x);
                 if alone {
                     assert!(
                         (truth - machine.value(error, x)).abs() < 1e-9 * size,
@@ -180,7 +178,8 @@ fn what_linearisation_leaves_is_as_large_as_said() {
     for estimator in [Estimator::Joint, Estimator::TwoStep] {
         let one = simulate(&setup, 90, ErrorLimits::PAPER, &mut random);
         let estimate = fit(&setup, &one.observations, estimator).unwrap();
-        let left = systematic(&setup, &one.observations, &estimate, function, ErrorLimits::PAPER, &points).unwrap();
+        let seen = estimate.seen(function).unwrap();
+        let left = systematic(&setup, &one.observations, &estimate, seen, ErrorLimits::PAPER, &points).unwrap();
         let bound: f64 = left.terms.iter().map(|t| t.bound).sum();
         let error = setup.model.functions[function].error;
         let (mut square, mut largest) = (0.0, 0.0f64);

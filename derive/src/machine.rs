@@ -154,7 +154,7 @@ impl Reader {
         };
         let carried = if attribute.path().is_ident("tool") { &mut draft.tool } else { &mut draft.workpiece };
         carried.push(name.clone());
-        draft.axes.push(DraftAxis { name, kind, direction, location });
+        draft.axes.push(DraftAxis { name, kind, direction, location, range: None });
     }
 
     /// `#[run(radial, sweep = "c", at(…), …)]`

@@ -35,6 +35,8 @@
 //! Equations are cited as T(7) and E(7), after the tilting-table and the Exechon paper, which
 //! [the documentation](https://github.com/trunnion-metrology/trunnion/blob/main/docs/README.md) cites in full.
 #![no_std]
+#[cfg(feature = "sized")]
+extern crate std;
 
 #[cfg(feature = "circle")]
 pub mod circle;
@@ -46,6 +48,8 @@ pub mod lstsq;
 pub mod model;
 #[cfg(feature = "probe")]
 pub mod probe;
+#[cfg(feature = "sized")]
+pub mod sized;
 pub mod tilting;
 mod trig;
 

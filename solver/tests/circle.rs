@@ -74,6 +74,13 @@ fn what_has_no_circle() {
     assert_eq!(both(&[[1.0, 5.0], [2.0, 7.0], [1.0, 5.0], [2.0, 7.0]]), CircleError::InLine);
 }
 
+#[test]
+fn three_points_say_nothing_of_their_scatter() {
+    let points = [[17.8, 200.0], [-8.7, 215.2], [-8.8, 184.8], [2.0, 182.6]];
+    assert_eq!(least_squares(&points[..3]).unwrap().scatter, None);
+    assert!(least_squares(&points).unwrap().scatter.unwrap().residual_std > 0.0);
+}
+
 /// Points near a circle, all along an arc that need not be whole.
 fn ring() -> impl Strategy<Value = Vec<[f64; 2]>> {
     let points = prop::collection::vec((0.0..1.0, -1.0..1.0), 5..60);
@@ -122,4 +129,96 @@ proptest! {
         }
         prop_assert!(gradient.iter().all(|g| g.abs() < 1e-9), "{gradient:?}");
     }
+}
+
+/// Widths at all centres where circles through points meet: each bisector of a pair with each other, by the definition.
+fn brute_force(points: &[[f64; 2]]) -> f64 {
+    let pairs: Vec<_> = (0..points.len()).flat_map(|i| (0..i).map(move |j| (points[i], points[j]))).collect();
+    let mut narrowest = f64::INFINITY;
+    for (k, (a, b)) in pairs.iter().enumerate() {
+        for (c, d) in &pairs[..k] {
+            // |x − a|² = |x − b|² and |x − c|² = |x − d|² about a: two linear equations.
+            let row = |p: [f64; 2], q: [f64; 2]| {
+                let (p, q) = ([p[0] - a[0], p[1] - a[1]], [q[0] - a[0], q[1] - a[1]]);
+                let right = (q[0] * q[0] + q[1] * q[1] - p[0] * p[0] - p[1] * p[1]) / 2.0;
+                (q[0] - p[0], q[1] - p[1], right)
+            };
+            let ((m, n, e), (r, s, f)) = (row(*a, *b), row(*c, *d));
+            let determinant = m * s - n * r;
+            if determinant.abs() > 1e-13 * (m.hypot(n) * r.hypot(s)) {
+                let centre = [a[0] + (e * s - f * n) / determinant, a[1] + (m * f - r * e) / determinant];
+                narrowest = narrowest.min(width(points, centre));
+            }
+        }
+    }
+    narrowest
+}
+
+fn width(points: &[[f64; 2]], centre: [f64; 2]) -> f64 {
+    let radii = points.iter().map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1]));
+    let (low, high) = radii.fold((f64::INFINITY, 0f64), |(l, h), r| (l.min(r), h.max(r)));
+    high - low
+}
+
+/// Points of all kinds: rings and arcs, blobs, grids with points alike, clusters, far from the origin.
+fn any_points() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    let points = prop::collection::vec((0.0..1.0, -1.0..1.0), 3..16);
+    (points, 0..5, [1.0..360.0, 0.0..1.0, -5.0..0.0]).prop_map(|(points, kind, [arc, far, form])| {
+        let form = 10f64.powf(form);
+        let place = |(k, (u, v)): (usize, &(f64, f64))| {
+            let on = |turn: f64, r: f64| [50.0 * r * turn.to_radians().cos(), 50.0 * r * turn.to_radians().sin()];
+            match kind {
+                0 => on(u * 360.0, 1.0 + form * v),
+                1 => on(u * arc, 1.0 + 0.01 * form * v),
+                2 => [20.0 * u, 20.0 * v],
+                3 => [(6.0 * u).floor(), (2.0 * v).floor()],
+                _ => on(120.0 * (k % 3) as f64 + 2.0 * u, 1.0 + form * v),
+            }
+        };
+        let offset = if far > 0.5 { 1e5 * (far - 0.5) } else { 0.0 };
+        points.iter().enumerate().map(place).map(|[x, y]| [x + offset, y - offset]).collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_other_zone_is_narrower(points in any_points()) {
+        let best = brute_force(&points);
+        match minimum_zone(&points) {
+            Ok(zone) => {
+                let far = zone.outer + points[0][0].abs() + points[0][1].abs();
+                prop_assert!(zone.is_minimal(&points, 1e-12 * far), "{zone:?}");
+                let slack = 1e-13 * far;
+                prop_assert!((zone.width() - width(&points, zone.centre)).abs() <= slack);
+                prop_assert!(zone.width() <= best + slack, "{} > {best}", zone.width());
+            }
+            Err(CircleError::InLine | CircleError::AllEqual) => {}
+            Err(error) => {
+                // All directions of parallel lines, a thousandth of a degree apart.
+                prop_assert_eq!(error, CircleError::BetweenLines);
+                let towards = |k: u32| (f64::from(k) * 1e-3).to_radians().sin_cos();
+                let strips = (0..180_000).map(|k| {
+                    let (s, c) = towards(k);
+                    let aside = points.iter().map(|p| c * (p[0] - points[0][0]) + s * (p[1] - points[0][1]));
+                    let (low, high) = aside.fold((0f64, 0f64), |(l, h), r| (l.min(r), h.max(r)));
+                    high - low
+                });
+                let strip = strips.fold(f64::INFINITY, f64::min);
+                prop_assert!(strip <= best * (1.0 + 1e-3) + 1e-9, "{strip} > {best}");
+            }
+        }
+    }
+}
+
+/// The exchange of contacts from the least-squares circle ended at 1373.25 µm here.
+#[test]
+fn the_narrowest_of_several_zones() {
+    let points = [[0.0_f64, 2.0], [1.0, 1.0], [2.0, 3.0], [1.0, 2.0], [1.0, 3.0], [2.0, 1.0], [-1.0, 2.0]];
+    let zone = minimum_zone(&points.map(|[x, y]| [x, y + 200.0])).unwrap();
+    // Two points on √13/2 + … from outside and two from inside: (√13 − 1)/2.
+    assert!((zone.width() - (13f64.sqrt() - 1.0) / 2.0).abs() < 1e-12, "{}", zone.width());
+    let copies: Vec<_> = points.into_iter().chain(points).chain(points).collect();
+    assert!((minimum_zone(&copies).unwrap().width() - zone.width()).abs() < 1e-12);
 }

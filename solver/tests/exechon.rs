@@ -152,3 +152,26 @@ proptest! {
         }
     }
 }
+
+/// Poses of small A, to both sides and down to a hundredth of a degree: the pose that is found has the tool where it was.
+#[test]
+fn poses_beside_the_c_axis_are_found() {
+    let machine = machine();
+    let start = machine.home().start();
+    let other = Start { branch: start.branch.other(), ..start };
+    for tilt in [0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0] {
+        for k in 0..120 {
+            let k = f64::from(k);
+            let struts = [1250.0 + 2.0 * k, 1300.0 - 0.7 * k, 1250.0 + (37.0 * k) % 170.0];
+            let sign = if (k as u32).is_multiple_of(2) { 1.0 } else { -1.0 };
+            let joints = Joints { struts, a: sign * f64::to_radians(tilt), c: 0.37 * k % 9.0 - 4.5 };
+            let pose = machine.forward(&joints, &start).unwrap();
+            let target = Target::new(pose.point, *pose.direction()).unwrap();
+            let found = machine.inverse(&target, if sign > 0.0 { &other } else { &start });
+            let found = found.unwrap_or_else(|error| panic!("A = {}°, {joints:?}: {error}", sign * tilt));
+            let again = machine.forward(&found.joints, &found.start()).unwrap();
+            assert!(distance(&again.point, &pose.point) < 1e-8, "A = {}°: {:?}", sign * tilt, again.point);
+            assert!(distance(again.direction(), pose.direction()) < 1e-10, "A = {}°", sign * tilt);
+        }
+    }
+}

@@ -37,6 +37,8 @@ fn dimensions_that_make_no_machine() {
     assert_eq!(make(|d, _, _| d.xu = 0.0), MachineError::NotPositive(Dimension::Xu));
     assert_eq!(make(|_, h, _| h.strut = 200.0), MachineError::HomeUnreachable);
     assert_eq!(make(|_, h, _| h.a = 0.0), MachineError::HomeSingular);
+    assert_eq!(make(|d, _, _| d.ys2 = 1e200), MachineError::TooLarge(Dimension::Ys2));
+    assert_eq!(make(|_, h, _| h.strut = 1e200), MachineError::TooLarge(Dimension::HomeStrut));
     assert_eq!(make(|_, _, l| l.c = Range { low: 1.0, high: -1.0 }), MachineError::EmptyRange(Limit::C));
     assert_eq!(make(|_, _, l| l.struts.low = NAN), MachineError::EmptyRange(Limit::Strut1));
 }

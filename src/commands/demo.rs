@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use trunnion::data::{Unit, write_atomically, write_simulation};
 use trunnion::plot::{Chart, Mark, Panel, Scale, Series, Tone};
 use trunnion::study::{
-    ErrorLimits, Estimator, Observation, RecoveredFunction, Recovery, Report, Sample, Setup, Simulation, StudyError,
-    fit, recovery, report,
+    ErrorLimits, Estimator, Instrument, Observation, RecoveredFunction, Recovery, Report, Sample, Setup, Simulation,
+    StudyError, fit, recovery, report,
 };
 use trunnion_codegen::emit::equations;
 
@@ -51,8 +51,8 @@ impl DemoArguments {
         let mut reports = Vec::new();
         for estimator in [Estimator::Joint, Estimator::TwoStep] {
             let fitted = fit(&setup, observations, estimator)?;
-            let report = report(&setup, observations, &fitted, ErrorLimits::PAPER, false)?;
-            let recovery = recovery(&setup, &simulated.machine, &report);
+            let report = report(&setup, observations, &fitted, ErrorLimits::PAPER, &Instrument::default(), false)?;
+            let recovery = recovery(&setup, &simulated.machine, &fitted, &report);
             reports.push((report, recovery));
         }
         out += &recovered(&reports);

@@ -1,7 +1,9 @@
 //! A report and its parts as one JSON object, for a program.
 
 use serde_json::{Map, Value, json};
-use trunnion::study::{Contribution, Curve, CurvePoint, Report, Spread, Study};
+use trunnion::study::{Budget, COVERAGE, Contribution, Curve, CurvePoint, Line, Report, Spread, Study, Told};
+use trunnion_codegen::emit::equations::Remaining;
+use trunnion_codegen::identify::Extent;
 
 /// One object: model, estimator, runs, coefficients, functions, condition, warnings.
 pub fn report(report: &Report, radius_mm: f64) -> Value {
@@ -9,7 +11,7 @@ pub fn report(report: &Report, radius_mm: f64) -> Value {
         (name.clone(), json!({ "samples": samples, "rms_um": rms, "neglected_um": neglected }))
     });
     let coefficients = report.coefficients.iter();
-    let coefficients = coefficients.map(|c| json!({ "name": c.name, "value": c.value, "std": c.std, "unit": c.unit }));
+    let coefficients = coefficients.map(|c| json!({ "name": c.name, "definition": c.definition, "value": c.value, "noise_std": c.noise_std, "std": c.std, "u95": c.u95, "unit": c.unit, "budget": budget(&c.budget) }));
     json!({
         "model": report.model,
         "estimator": report.estimator.to_string(),
@@ -25,16 +27,56 @@ pub fn report(report: &Report, radius_mm: f64) -> Value {
 fn curve(c: &Curve) -> Value {
     let key = format!("{}_{}", c.coordinate, c.coordinate_unit);
     let point = |p: &CurvePoint| {
-        let pairs = [(key.clone(), p.at), ("value".to_owned(), p.value), ("u95".to_owned(), p.u95)];
-        Value::Object(pairs.map(|(k, v)| (k, Value::from(v))).into_iter().collect())
+        let pairs = [
+            (key.as_str(), p.at),
+            ("value", p.value),
+            ("noise_std", p.noise_std),
+            ("std", p.std),
+            ("u95", p.u95),
+            ("sum_u95", p.sum_u95),
+        ];
+        Value::Object(pairs.map(|(k, v)| (k.to_owned(), Value::from(v))).into_iter().collect())
     };
-    json!({
+    let object = json!({
         "name": c.name,
         "unit": c.unit.suffix(),
         "points": c.points.iter().map(point).collect::<Vec<_>>(),
+        "largest": c.largest.as_ref().map(|(at, b)| json!({ key.clone(): at, "budget": budget(b) })),
         "neglected": c.neglected,
         "neglected_typical": c.neglected_typical,
         "neglected_terms": c.neglected_terms.iter().map(contribution).collect::<Vec<_>>(),
+    });
+    with_told(object, &c.told)
+}
+
+/// An object that has numbers of a function, with what they are of: `determined`, `value_of` (the function, the sum it is
+/// seen in, or null) and `up_to`, what stands between the two.
+pub fn with_told(mut object: Value, told: &Told) -> Value {
+    let remaining = |r: &Remaining| json!({ "term": r.term, "parameter": r.parameter, "factor": r.factor });
+    object["determined"] = json!(told.extent == Extent::Determined);
+    object["extent"] = json!(told.words);
+    object["value_of"] = json!(told.sum);
+    object["up_to"] = json!(told.up_to.iter().map(remaining).collect::<Vec<_>>());
+    object
+}
+
+/// A line for each source, then what they make together.
+fn budget(budget: &Budget) -> Value {
+    let line = |l: &Line| {
+        json!({
+            "source": l.source.to_string(),
+            "std": l.contribution.std,
+            "degrees_of_freedom": l.contribution.degrees_of_freedom,
+        })
+    };
+    let combined = &budget.combined;
+    json!({
+        "lines": budget.lines.iter().map(line).collect::<Vec<_>>(),
+        "std": combined.std,
+        "effective_degrees_of_freedom": Some(combined.degrees_of_freedom).filter(|n| n.is_finite()),
+        "coverage_factor": combined.factor,
+        "coverage": COVERAGE,
+        "u95": combined.expanded,
     })
 }
 
@@ -45,13 +87,17 @@ fn contribution(c: &Contribution) -> Value {
 /// The distributions of one function with one estimator.
 pub fn study(study: &Study) -> Value {
     let spread = |x: &Spread| json!({ "mean": x.mean, "median": x.median, "p95": x.p95, "max": x.max });
-    json!({
+    let errors = study.errors.as_ref().map(|errors| {
+        json!({
+            "noise": spread(&errors.noise),
+            "linearisation": spread(&errors.linearisation),
+            "both": spread(&errors.both),
+        })
+    });
+    let object = json!({
         "function": study.function,
         "estimator": study.estimator.to_string(),
-        "largest_error": {
-            "noise": spread(&study.noise),
-            "linearisation": spread(&study.linearisation),
-            "both": spread(&study.both),
-        },
-    })
+        "largest_error": errors,
+    });
+    with_told(object, &study.told)
 }

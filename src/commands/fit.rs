@@ -3,7 +3,7 @@
 use super::model::ModelArguments;
 use super::output::print;
 use super::pair::pair;
-use super::simulated::limits;
+use super::stated::{InstrumentArguments, LimitArguments};
 use super::{Refused, document};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -30,12 +30,10 @@ pub struct FitArguments {
     /// step: the two steps of two-step do not weigh each other).
     #[arg(long = "weight", value_name = "NAME=W")]
     weights: Vec<String>,
-    /// Largest length error of the machine that what linearisation drops is worked out for, µm.
-    #[arg(long, default_value_t = 30.0)]
-    length_um: f64,
-    /// Largest angle error for the same, µrad.
-    #[arg(long, default_value_t = 100.0)]
-    angle_urad: f64,
+    #[command(flatten)]
+    limits: LimitArguments,
+    #[command(flatten)]
+    instrument: InstrumentArguments,
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
@@ -65,13 +63,13 @@ impl FitArguments {
         let (setup, radius) = self.model.setup()?;
         let files = RunFiles::new(&setup, &self.files()?)?;
         let weights = self.weights()?;
-        let limits = limits(self.length_um, self.angle_urad)?;
+        let (limits, instrument) = (self.limits.limits(&setup)?, self.instrument.instrument(&setup.model)?);
         let mut observations = files.read(&setup, self.table.as_deref())?;
         weigh(&setup, &mut observations, &weights).map_err(|e| Refused::weight(&e, &self.weights))?;
         let file =
             |run: &str| setup.run(run).map_or_else(|| run.to_owned(), |run| files.file(run).display().to_string());
         let fitted = fit(&setup, &observations, self.estimator.into()).map_err(|e| e.rename(file))?;
-        let report = report(&setup, &observations, &fitted, limits, self.table.is_none())?;
+        let report = report(&setup, &observations, &fitted, limits, &instrument, self.table.is_none())?;
         for warning in &report.warnings {
             eprintln!("warning: {warning}");
         }

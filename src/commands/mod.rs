@@ -15,5 +15,6 @@ mod pair;
 mod predicted;
 mod refused;
 mod simulated;
+mod stated;
 
 pub use refused::Refused;

@@ -53,8 +53,18 @@ pub struct ModelArguments {
 impl ModelArguments {
     /// The model with its lengths.
     pub fn setup(&self) -> Result<(Setup, Radius), Refused> {
+        self.setup_with(|_| Ok(()))
+    }
+
+    /// The model with its lengths, after a change.
+    pub fn setup_with(
+        &self,
+        change: impl FnOnce(&mut Model) -> Result<(), Refused>,
+    ) -> Result<(Setup, Radius), Refused> {
         let radius = Radius::new(self.radius)?;
-        Ok((setup(load(&self.model)?, radius, &self.lengths)?, radius))
+        let mut model = load(&self.model)?;
+        change(&mut model)?;
+        Ok((setup(model, radius, &self.lengths)?, radius))
     }
 }
 

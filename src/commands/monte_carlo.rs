@@ -4,12 +4,14 @@ use super::fit::Combine;
 use super::model::ModelArguments;
 use super::output::print;
 use super::simulated::SimulationArguments;
+use super::stated::InstrumentArguments;
 use super::{Refused, document};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::fmt::Write;
-use trunnion::study::{Draws, Estimator, Setup, Study, design_warning, studies};
+use trunnion::study::{Draws, EstimateError, Estimator, Setup, Study, design_warning, studies, supplement};
+use trunnion_codegen::identify::Extent;
 
 /// Arguments of `monte-carlo`.
 #[derive(Debug, Args)]
@@ -24,6 +26,11 @@ pub struct MonteCarloArguments {
     /// Only this estimator.
     #[arg(long, value_enum)]
     estimator: Option<Combine>,
+    /// Instead, check the uncertainty budget: the whole measurement drawn many times over, every line of it (GUM, Supplement 1).
+    #[arg(long)]
+    budget: bool,
+    #[command(flatten)]
+    instrument: InstrumentArguments,
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
@@ -32,13 +39,23 @@ pub struct MonteCarloArguments {
 impl MonteCarloArguments {
     /// Draws, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let draws = self.simulation.simulation()?.draws(self.trials);
-        let (setup, _) = self.model.setup()?;
-        let estimators = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
-        for &estimator in &estimators {
-            if let Some(warning) = design_warning(&setup, draws, estimator)? {
-                eprintln!("warning: {estimator}: {warning}");
+        let (setup, _, simulation) = self.simulation.simulation(&self.model)?;
+        let draws = simulation.draws(self.trials);
+        let asked = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
+        let mut estimators = Vec::new();
+        for estimator in asked {
+            match design_warning(&setup, draws, estimator) {
+                // Not asked for by name: what these runs do not allow is said and left out.
+                Err(EstimateError::NoFirstStep) if self.estimator.is_none() => {
+                    eprintln!("note: no two-step estimate: every run sees an estimated function");
+                    continue;
+                }
+                other => other?.into_iter().for_each(|warning| eprintln!("warning: {estimator}: {warning}")),
             }
+            estimators.push(estimator);
+        }
+        if self.budget {
+            return self.check(&setup, draws, &estimators);
         }
         let studies = watched(&setup, draws, &estimators)?;
         print(&match self.json {
@@ -47,6 +64,51 @@ impl MonteCarloArguments {
                 format!("{:#}\n", json!({ "model": setup.model.name, "trials": self.trials, "studies": studies }))
             }
             false => text(self.trials, &studies),
+        })
+    }
+}
+
+impl MonteCarloArguments {
+    /// The budget's intervals beside those of drawn measurements.
+    fn check(&self, setup: &Setup, draws: Draws, estimators: &[Estimator]) -> Result<(), Refused> {
+        let instrument = self.instrument.instrument(&setup.model)?;
+        let mut text = format!(
+            "half of each 95 % interval, {} measurements: the budget's, the measurements' (good to {:.0} %)\n",
+            draws.trials,
+            100.0 * 1.5 / (draws.trials as f64).sqrt()
+        );
+        let mut objects = Vec::new();
+        for &estimator in estimators {
+            for c in supplement(setup, draws, estimator, &instrument)? {
+                let _ = writeln!(
+                    text,
+                    "  {:10} {estimator:9} at {:8.1}: {:>10.3} {:>10.3} {}{}",
+                    c.function,
+                    c.at,
+                    c.sum[0],
+                    c.sum[1],
+                    c.unit,
+                    match c.told.extent {
+                        Extent::Determined => String::new(),
+                        _ => format!(" (its sum); as {}: {:.3}, at most {:.3}", c.function, c.whole[1], c.whole[0]),
+                    }
+                );
+                let object = json!({
+                    "function": c.function,
+                    "estimator": estimator.to_string(),
+                    "unit": c.unit.suffix(),
+                    "at": c.at,
+                    "sum_u95": { "budget": c.sum[0], "drawn": c.sum[1] },
+                    "u95": { "budget": c.whole[0], "drawn": c.whole[1] },
+                });
+                objects.push(document::with_told(object, &c.told));
+            }
+        }
+        print(&match self.json {
+            true => {
+                format!("{:#}\n", json!({ "model": setup.model.name, "trials": draws.trials, "budget": objects }))
+            }
+            false => text,
         })
     }
 }
@@ -71,7 +133,14 @@ pub fn text(trials: u64, studies: &[Study]) -> String {
         "function", "estimator", "from", "mean", "median", "95 %", "max"
     );
     for s in studies {
-        for (from, x) in [("noise", &s.noise), ("linearisation", &s.linearisation), ("both", &s.both)] {
+        let Some(errors) = &s.errors else {
+            let _ = writeln!(out, "  {:10} {:9} {}", s.function, s.estimator, s.told.words);
+            continue;
+        };
+        if s.told.extent == Extent::UpTo {
+            let _ = writeln!(out, "  {} {}", s.function, s.told.words);
+        }
+        for (from, x) in [("noise", &errors.noise), ("linearisation", &errors.linearisation), ("both", &errors.both)] {
             let _ = writeln!(
                 out,
                 "  {:10} {:9} {from:14} {:8.3} {:8.3} {:8.3} {:8.3}",

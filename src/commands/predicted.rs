@@ -2,7 +2,7 @@
 
 use super::Refused;
 use super::fit::Combine;
-use super::simulated::not_negative;
+use super::stated::not_negative;
 use clap::Args;
 use std::fmt::Write;
 use trunnion::data::Unit;
@@ -71,10 +71,11 @@ pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Re
 /// `eps_xa: std 0.58 urad (95 % ± 1.14) at a = 213 deg`
 pub fn function(setup: &Setup, predicted: &Predicted) -> String {
     let name = setup.function_name(predicted.function);
-    let Some(largest) = predicted.largest else { return format!("{name}: not seen by these runs") };
+    let Some(largest) = predicted.largest else { return format!("{name}: {}", predicted.told.words) };
     let Some(axis) = setup.axis(predicted.function) else { return name };
     let (unit, of) = (setup.quantity(predicted.function).deviation(), coordinate(axis).coordinate());
     let (letter, at) = (axis.name.to_lowercase(), of.from_inner(largest.at));
     let (std, u95) = (unit.from_inner(largest.std), unit.from_inner(largest.u95));
-    format!("{name}: std at most {std:.3} {unit} (95 % ± {u95:.3}) at {letter} = {at:.0} {of}")
+    let told = &predicted.told.words;
+    format!("{name}: std at most {std:.3} {unit} (95 % ± {u95:.3}) at {letter} = {at:.0} {of}, {told}")
 }

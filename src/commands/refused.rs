@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::data::{ObservationsError, RadiusError, WriteError};
 use trunnion::plot::PlotError;
-use trunnion::study::{EstimateError, LARGEST, SetupError, StudyError, WeightError};
+use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
 use trunnion_codegen::graph::Unbound;
 
 /// Why a command was refused. What the library says stands, but for the remedies that are options here.
@@ -50,6 +50,12 @@ pub enum Refused {
     Weight(String),
     #[error("--weight: run `{0}` is given twice\n  expected a run's weight once")]
     WeightTwice(String),
+    #[error("{0}")]
+    OutOfRange(#[from] OutOfRange),
+    #[error("--range {0}: not an axis of the model, or given twice\n  expected once one of {1}")]
+    RangeOf(String, String),
+    #[error("--instrument {0}: not known\n  expected {1}, or its values by --instrument-um and --instrument-share")]
+    Instrument(String, String),
     #[error("--{0} {1}: cannot be simulated\n  {2}")]
     Option(&'static str, String, &'static str),
 }

@@ -1,11 +1,14 @@
 //! What is simulated, as `simulate` and `monte-carlo` take it.
 
 use super::Refused;
+use super::model::ModelArguments;
+use super::stated::{LimitArguments, RangeArguments, not_negative};
 use clap::Args;
-use trunnion::study::{ErrorLimits, Simulation};
+use trunnion::data::Radius;
+use trunnion::study::{Setup, Simulation};
 
 /// What is simulated.
-#[derive(Clone, Copy, Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct SimulationArguments {
     /// Seed of the random numbers: the same seed gives the same files.
     #[arg(long, default_value_t = 1)]
@@ -16,60 +19,45 @@ pub struct SimulationArguments {
     /// Half width of the uniform noise of the readings, µm.
     #[arg(long, default_value_t = 0.1)]
     noise_um: f64,
-    /// Largest length error, µm.
-    #[arg(long, default_value_t = 30.0)]
-    length_um: f64,
-    /// Largest angle error, µrad.
-    #[arg(long, default_value_t = 100.0)]
-    angle_urad: f64,
-    /// First angle, degrees.
-    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
-    from_deg: f64,
-    /// End of the range, degrees; the last sample is one step before it.
-    #[arg(long, default_value_t = 360.0, allow_negative_numbers = true)]
-    to_deg: f64,
-}
-
-/// Largest errors from the command line.
-pub fn limits(length_um: f64, angle_urad: f64) -> Result<ErrorLimits, Refused> {
-    not_negative("length-um", length_um)?;
-    not_negative("angle-urad", angle_urad)?;
-    Ok(ErrorLimits::scaled(length_um, angle_urad))
-}
-
-/// Refuses what is no size of a noise or an error.
-pub fn not_negative(option: &'static str, value: f64) -> Result<(), Refused> {
-    match value.is_finite() && (0.0..=1e4).contains(&value) {
-        true => Ok(()),
-        false => Err(Refused::Option(option, value.to_string(), "expected a number from 0 to 10000")),
-    }
+    #[command(flatten)]
+    limits: LimitArguments,
+    #[command(flatten)]
+    ranges: RangeArguments,
+    /// First angle of the sweeps, degrees; 0 without it.
+    #[arg(long, allow_negative_numbers = true)]
+    from_deg: Option<f64>,
+    /// End of the range, degrees; the last sample is one step before it. 360 without it; where an axis has a range, runs then
+    /// go as far as it lets them.
+    #[arg(long, allow_negative_numbers = true)]
+    to_deg: Option<f64>,
 }
 
 /// Most samples of one run.
 const MOST_SAMPLES: usize = 10_000_000;
 
 impl SimulationArguments {
-    /// What is asked for, where it can be simulated.
-    pub fn simulation(&self) -> Result<Simulation, Refused> {
+    /// The model with the ranges of its axes, and what is asked for, where it can be simulated.
+    pub fn simulation(&self, model: &ModelArguments) -> Result<(Setup, Radius, Simulation), Refused> {
         not_negative("noise-um", self.noise_um)?;
-        let limits = limits(self.length_um, self.angle_urad)?;
-        for (option, value) in [("from-deg", self.from_deg), ("to-deg", self.to_deg)] {
+        let (from, to) = (self.from_deg.unwrap_or(0.0), self.to_deg.unwrap_or(360.0));
+        for (option, value) in [("from-deg", from), ("to-deg", to)] {
             if !(value.is_finite() && value.abs() <= 3600.0) {
                 return Err(Refused::Option(option, value.to_string(), "expected an angle within ten turns"));
             }
         }
-        if self.to_deg <= self.from_deg {
-            return Err(Refused::Option("to-deg", self.to_deg.to_string(), "expected an angle beyond --from-deg"));
+        if to <= from {
+            return Err(Refused::Option("to-deg", to.to_string(), "expected an angle beyond --from-deg"));
         }
         if !(1..=MOST_SAMPLES).contains(&self.samples) {
             return Err(Refused::Option("samples", self.samples.to_string(), "expected a number from 1 to 10000000"));
         }
-        Ok(Simulation {
-            seed: self.seed,
-            samples: self.samples,
-            noise_um: self.noise_um,
-            limits,
-            range_deg: (self.from_deg, self.to_deg),
-        })
+        let (setup, radius) = model.setup_with(|model| self.ranges.apply(model))?;
+        let (limits, range_deg) = (self.limits.limits(&setup)?, (from, to));
+        let &Self { seed, samples, noise_um, .. } = self;
+        let simulation = Simulation { seed, samples, noise_um, limits, range_deg };
+        if self.from_deg.is_some() || self.to_deg.is_some() {
+            setup.model.runs.keys().try_for_each(|run| setup.reaches(run, simulation.range()))?;
+        }
+        Ok((setup, radius, simulation))
     }
 }

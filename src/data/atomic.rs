@@ -49,6 +49,9 @@ pub enum WriteProblem {
         /// Columns.
         expected: usize,
     },
+    /// A run's file that is the known functions', too.
+    #[error("this file holds the known functions, and a run has its name\n  expected another name of the run")]
+    HoldsTheTable,
     /// A unit that does not fit the column.
     #[error("a column cannot be written in {0}")]
     Unit(Unit),

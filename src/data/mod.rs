@@ -27,6 +27,6 @@ pub use radius::{Radius, RadiusError};
 pub use runs::{ObservationsError, RunFiles, observations};
 pub use simulated::write_simulation;
 pub use sweep::{Sweep, SweepSample};
-pub use table::{Known, KnownAtSamples, Table};
+pub use table::{Known, KnownAtSamples, Table, TableValues};
 pub use trunnion_codegen::quantity::{Quantity, Unit};
 pub use truth::{Truth, TruthFunction};

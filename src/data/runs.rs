@@ -2,11 +2,11 @@
 
 use super::error::FileError;
 use super::sweep::{RunColumns, Sweep};
-use super::table::{Known, Table};
+use super::table::{Known, Table, TableValues};
 use crate::study::{Observation, Sample, Setup};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
-use trunnion_codegen::algebra::Poly;
+use trunnion_codegen::algebra::{Monomial, Poly, Rational, at};
 use trunnion_codegen::basis::Coordinate;
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::ids::{FunctionId, RunId};
@@ -145,12 +145,43 @@ fn observation(
     };
     let sweep = Sweep::read_as(&source.file, &expected)?;
     let known = match table.filter(|_| !derived.known.is_empty()) {
-        Some(table) => table.at_samples(&sweep, derived.known.iter().map(|(function, _)| *function))?,
-        None => vec![vec![0.0; derived.known.len()]; sweep.samples().len()],
+        Some(table) => table.at_samples(setup, run, &sweep)?,
+        None => {
+            let zero = vec![0.0; derived.known.len()];
+            vec![TableValues { values: zero.clone(), stds: zero }; sweep.samples().len()]
+        }
     };
     let samples = sweep.samples().iter().zip(known);
-    let samples = samples.map(|(s, known)| Sample { sweep: s.angle_rad, reading: s.reading_mm, known }).collect();
+    let samples = samples
+        .map(|(s, TableValues { values, stds })| Sample {
+            sweep: s.angle_rad,
+            reading: s.reading_mm,
+            known: values,
+            known_std: stds,
+        })
+        .collect();
     Ok(Observation { run, weight: 1.0, samples })
+}
+
+/// The known functions that the runs see, and what their table calls the swept angle: as the first run that sees one does.
+pub(super) fn known_functions(setup: &Setup) -> Option<(&str, Vec<FunctionId>)> {
+    let sees = setup.derivation.runs.iter_enumerated().find(|(_, run)| !run.known.is_empty());
+    let angle = setup.model.alphabet.sweep_name(setup.model.runs[sees?.0].sweep);
+    let seen = setup.derivation.runs.iter().flat_map(|r| r.known.iter().map(|(f, _)| *f));
+    let mut functions: Vec<FunctionId> = seen.collect();
+    functions.sort_unstable();
+    functions.dedup();
+    Some((angle, functions))
+}
+
+/// The coordinate of an axis that stands, rad or mm.
+fn fixed(setup: &Setup, coordinate: &Coordinate) -> Option<f64> {
+    let poly = coordinate.poly()?;
+    let alphabet = &setup.model.alphabet;
+    let moves = |(m, _): &(Monomial, Rational)| {
+        alphabet.nominals().any(|(id, _)| m.exponent(id) != 0 && !alphabet.is_constant(id))
+    };
+    (!poly.terms().iter().any(moves)).then(|| at(poly, alphabet, 0.0, |name| setup.constant(name)))
 }
 
 /// The table of all known functions that the runs see.
@@ -161,17 +192,12 @@ struct KnownTable {
 
 impl KnownTable {
     fn read(setup: &Setup, file: &Path) -> Result<Self, ObservationsError> {
-        let mut functions: Vec<FunctionId> =
-            setup.derivation.runs.iter().flat_map(|r| r.known.iter().map(|(f, _)| *f)).collect();
-        functions.sort_unstable();
-        functions.dedup();
-        let mut angle = "a";
+        let (angle, functions) = known_functions(setup).unwrap_or(("a", Vec::new()));
         for (run, &f) in setup.model.runs.iter().flat_map(|r| functions.iter().map(move |f| (r, f))) {
-            angle = setup.model.alphabet.sweep_name(run.sweep);
             let Some((axis, _)) = setup.model.axis_of(setup.model.functions[f].error) else { continue };
             let own = setup.model.alphabet.sweep_symbols(run.sweep)[0];
             let is_sweep = |c: &Coordinate| c.poly().is_none_or(|p| *p == Poly::nominal(own));
-            if !is_sweep(&run.at[axis]) {
+            if !is_sweep(&run.at[axis]) && fixed(setup, &run.at[axis]).is_none() {
                 let axis = setup.model.axis(axis).map_or_else(String::new, |axis| axis.name.clone());
                 return Err(ObservationsError::TableCoordinate { function: known_name(&setup.model, f), axis });
             }
@@ -182,13 +208,22 @@ impl KnownTable {
     }
 
     /// At each sample of a run the values of these functions, mm or rad.
-    fn at_samples(
-        &self,
-        sweep: &Sweep,
-        functions: impl Iterator<Item = FunctionId>,
-    ) -> Result<Vec<Vec<f64>>, FileError> {
-        let places: Vec<usize> = functions.filter_map(|f| self.functions.iter().position(|own| *own == f)).collect();
-        let all = self.table.at_samples(sweep)?.values;
-        Ok(all.into_iter().map(|values| places.iter().map(|&at| values[at]).collect()).collect())
+    fn at_samples(&self, setup: &Setup, run: RunId, sweep: &Sweep) -> Result<Vec<TableValues>, FileError> {
+        let functions = setup.derivation.runs[run].known.iter();
+        // An axis that stands has the table's value where it stands.
+        let place = |f: &FunctionId| {
+            let (axis, _) = setup.model.axis_of(setup.model.functions[*f].error)?;
+            let standing = fixed(setup, &setup.model.runs[run].at[axis]);
+            Some((self.functions.iter().position(|own| own == f)?, standing.and_then(|x| self.table.at(x))))
+        };
+        let places: Vec<(usize, Option<TableValues>)> = functions.filter_map(|(f, _)| place(f)).collect();
+        let all = self.table.at_samples(sweep)?.samples;
+        let own = |moving: &TableValues, of: fn(&TableValues) -> &[f64]| {
+            let one = |(at, standing): &(usize, Option<TableValues>)| {
+                of(standing.as_ref().unwrap_or(moving)).get(*at).copied()
+            };
+            places.iter().filter_map(one).collect()
+        };
+        Ok(all.iter().map(|t| TableValues { values: own(t, |t| &t.values), stds: own(t, |t| &t.stds) }).collect())
     }
 }

@@ -1,20 +1,18 @@
 //! The files of a simulation: `RUN.csv`, `table.csv`, `truth.json`.
 
 use super::atomic::{WriteError, WriteProblem};
+use super::runs::known_functions;
 use super::sweep::Sweep;
 use super::table::{Known, Table};
 use super::truth::{Truth, TruthFunction};
-use crate::study::{Setup, Simulated, Simulation};
+use crate::study::{Observation, Setup, Simulated, Simulation, coordinate, marks, visited};
 use std::fs;
 use std::io;
 use std::path::Path;
 use trunnion_codegen::emit::model::known_name;
-use trunnion_codegen::ids::{FunctionId, RunId};
+use trunnion_codegen::ids::FunctionId;
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::quantity::Unit;
-
-/// Degrees between the points of a function in `truth.json`.
-const STEP_DEG: f64 = 5.0;
 
 /// Writes the files of a simulation into a directory, which is made where it is not there.
 ///
@@ -32,6 +30,11 @@ pub fn write_simulation(
         let kind = if out.is_file() { io::ErrorKind::NotADirectory } else { e.kind() };
         WriteError { file: out.to_owned(), problem: WriteProblem::Directory(kind) }
     })?;
+    let own = setup.model.runs.iter().find(|run| run.name.eq_ignore_ascii_case("table"));
+    if let Some(run) = own.filter(|_| known_functions(setup).is_some()) {
+        let file = out.join(format!("{}.csv", run.name));
+        return Err(WriteError { file, problem: WriteProblem::HoldsTheTable });
+    }
     for observation in &simulated.observations {
         let run = &setup.model.runs[observation.run];
         let samples = observation.samples.iter().map(|s| (s.sweep, s.reading));
@@ -42,27 +45,33 @@ pub fn write_simulation(
     truth(setup, simulation, simulated, radius_mm).write(&out.join("truth.json"))
 }
 
-/// The known functions at the samples of the run that sees most of them.
+/// The known functions of all runs, at every value of the sweeps of those that see one.
 fn write_table(setup: &Setup, simulated: &Simulated, file: &Path) -> Result<(), WriteError> {
-    let most = |r: &RunId| setup.derivation.runs[*r].known.len();
-    let Some(run) = setup.derivation.runs.keys().max_by_key(most).filter(|r| most(r) > 0) else { return Ok(()) };
-    let known = setup.derivation.runs[run].known.iter();
-    let known = known.map(|(f, _)| Known { name: known_name(&setup.model, *f), quantity: setup.quantity(*f) });
+    let Some((angle, functions)) = known_functions(setup) else { return Ok(()) };
+    let known = functions.iter();
+    let known = known.map(|f| Known { name: known_name(&setup.model, *f), quantity: setup.quantity(*f) });
     let known: Vec<Known> = known.collect();
-    let lines = simulated.observations[run].samples.iter().map(|s| (s.sweep, s.known.clone()));
-    let angle = setup.model.alphabet.sweep_name(setup.model.runs[run].sweep);
-    Table::write(file, angle, &known, lines)
+    let sees = |o: &&Observation| !setup.derivation.runs[o.run].known.is_empty();
+    let sweeps = simulated.observations.iter().filter(sees).flat_map(|o| o.samples.iter().map(|s| s.sweep));
+    let mut sweeps: Vec<f64> = sweeps.collect();
+    sweeps.sort_by(f64::total_cmp);
+    sweeps.dedup();
+    let value = |f: &FunctionId, sweep| simulated.machine.value(setup.model.functions[*f].error, sweep);
+    let line = |sweep: f64| (sweep, functions.iter().map(|f| value(f, sweep)).collect());
+    Table::write(file, angle, &known, sweeps.into_iter().map(line))
 }
 
 fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated, radius_mm: f64) -> Truth {
-    let (from, to) = simulation.range_deg;
-    let (first, last) = ((from / STEP_DEG).ceil() as i64, (to / STEP_DEG).floor() as i64);
+    let swept = || simulated.observations.iter().map(|o| (o.run, simulation.visited(setup, o.run)));
     let function = |f: FunctionId| {
         let error = setup.model.functions[f].error;
-        let unit = setup.quantity(f).deviation();
-        let value = |deg: f64| unit.from_inner(simulated.machine.value(error, Unit::Deg.to_inner(deg)));
-        let points = (first..=last).map(|i| i as f64 * STEP_DEG).map(|deg| (deg, value(deg))).collect();
-        TruthFunction { name: setup.function_name(f), unit, points }
+        let (axis, unit) = (setup.axis(f)?, setup.quantity(f).deviation());
+        let of = coordinate(axis).coordinate();
+        let value = |x: f64| unit.from_inner(simulated.machine.value(error, of.to_inner(x)));
+        let points = visited(setup, f, swept()).map_or(Vec::new(), |range| marks(range, of));
+        let points = points.into_iter().map(|x| (x, value(x))).collect();
+        let coordinate = format!("{}_{of}", axis.name.to_lowercase());
+        Some(TruthFunction { name: setup.function_name(f), unit, coordinate, points })
     };
     let names = setup.derivation.base.iter().map(|b| b.name.clone());
     Truth {
@@ -71,8 +80,7 @@ fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated, radius_m
         samples: simulation.samples,
         noise_um: simulation.noise_um,
         range_deg: simulation.range_deg,
-        angle: setup.model.runs.first().map_or("a", |r| setup.model.alphabet.sweep_name(r.sweep)).to_owned(),
-        functions: setup.estimated().map(function).collect(),
+        functions: setup.estimated().filter_map(function).collect(),
         constants: names.zip(simulated.machine.base(setup)).collect(),
     }
 }

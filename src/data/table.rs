@@ -43,7 +43,18 @@ pub struct Table {
 struct Node {
     angle_rad: f64,
     values: Vec<f64>,
+    /// Standard uncertainties of the values.
+    stds: Vec<f64>,
     line: u64,
+}
+
+/// A table's functions at one angle, in mm or rad.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableValues {
+    /// One of each function.
+    pub values: Vec<f64>,
+    /// Their standard uncertainties: 0 where the table states none.
+    pub stds: Vec<f64>,
 }
 
 /// A table's functions at a run's samples.
@@ -51,12 +62,13 @@ struct Node {
 pub struct KnownAtSamples {
     /// The functions, in the order they were asked for.
     pub functions: Vec<Known>,
-    /// For each sample one value (mm or rad) of each function.
-    pub values: Vec<Vec<f64>>,
+    /// Each sample's.
+    pub samples: Vec<TableValues>,
 }
 
 impl Table {
-    /// Reads a table: column `<angle>_deg|_rad`, and `<name>_um|_mm` or `<name>_urad|_rad` for each function.
+    /// Reads a table: column `<angle>_deg|_rad`, and `<name>_um|_mm` or `<name>_urad|_rad` for each function; its standard
+    /// uncertainty in `u_<name>_um`, where that is known.
     ///
     /// Nodes may come in any order, and twice with the same values.
     ///
@@ -64,17 +76,23 @@ impl Table {
     /// [`FileError`] where the file cannot be read or is no such file, an angle has two values, or there are fewer than
     /// two angles.
     pub fn read(file: &Path, angle: &str, functions: &[Known]) -> Result<Self, FileError> {
-        let mut nodes: Vec<Node> = Lines::open(file, &wanted(angle, functions))?
+        let uncertain: Vec<String> = functions.iter().map(|known| format!("u_{}", known.name)).collect();
+        let stated = functions.iter().zip(&uncertain);
+        let stated =
+            stated.map(|(known, name)| Wanted { absent: Some(0.0), ..Wanted::new(name, deviation(known.quantity)) });
+        let columns: Vec<Wanted> = wanted(angle, functions).into_iter().chain(stated).collect();
+        let mut nodes: Vec<Node> = Lines::open(file, &columns)?
             .all()?
             .into_iter()
             .filter_map(|line| {
-                let (angle_rad, values) = line.values.split_first()?;
-                Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), line: line.line })
+                let (angle_rad, rest) = line.values.split_first()?;
+                let (values, stds) = rest.split_at_checked(functions.len())?;
+                Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), stds: stds.to_vec(), line: line.line })
             })
             .collect();
         nodes.sort_by(|a, b| a.angle_rad.total_cmp(&b.angle_rad));
         let fail = |problem| FileError { file: file.to_owned(), problem };
-        let bad = contradictions(&nodes, functions);
+        let bad = [contradictions(&nodes, functions), negative(&nodes, &uncertain)].concat();
         if !bad.is_empty() {
             return Err(fail(FileProblem::Lines(bad)));
         }
@@ -103,7 +121,7 @@ impl Table {
     }
 
     /// The functions' values (mm or rad) at an angle in rad: a node's own at a node, linear between; none outside.
-    pub fn at(&self, angle_rad: f64) -> Option<Vec<f64>> {
+    pub fn at(&self, angle_rad: f64) -> Option<TableValues> {
         let (first, last) = (self.nodes.first()?, self.nodes.last()?);
         let inside = |angle: f64| first.angle_rad <= angle && angle <= last.angle_rad;
         let angle = match (inside(angle_rad), self.repeats) {
@@ -114,13 +132,14 @@ impl Table {
         let after = self.nodes.partition_point(|node| node.angle_rad <= angle);
         let left = self.nodes.get(after.checked_sub(1)?)?;
         if left.angle_rad == angle {
-            return Some(left.values.clone());
+            return Some(TableValues { values: left.values.clone(), stds: left.stds.clone() });
         }
         // Past the last node the first one follows, a turn later.
         let (right, right_rad) = self.nodes.get(after).map_or((first, first.angle_rad + TAU), |n| (n, n.angle_rad));
         let span = right_rad - left.angle_rad;
         let weight = if span > 0.0 { ((angle - left.angle_rad) / span).clamp(0.0, 1.0) } else { 0.0 };
-        Some(left.values.iter().zip(&right.values).map(|(l, r)| l + weight * (r - l)).collect())
+        let between = |l: &[f64], r: &[f64]| l.iter().zip(r).map(|(l, r)| l + weight * (r - l)).collect();
+        Some(TableValues { values: between(&left.values, &right.values), stds: between(&left.stds, &right.stds) })
     }
 
     /// The functions at each sample of a run.
@@ -129,15 +148,15 @@ impl Table {
     /// [`FileError`] of the run's file where samples are outside the table, with their lines and the table's range.
     pub fn at_samples(&self, sweep: &Sweep) -> Result<KnownAtSamples, FileError> {
         let mut outside = Vec::new();
-        let mut values = Vec::with_capacity(sweep.samples().len());
+        let mut samples = Vec::with_capacity(sweep.samples().len());
         for sample in sweep.samples() {
             match self.at(sample.angle_rad) {
-                Some(at) => values.push(at),
+                Some(at) => samples.push(at),
                 None => outside.push((sample.line, sample.angle_rad)),
             }
         }
         if outside.is_empty() {
-            return Ok(KnownAtSamples { functions: self.functions.clone(), values });
+            return Ok(KnownAtSamples { functions: self.functions.clone(), samples });
         }
         let problem = FileProblem::OutsideTable { table: self.file.clone(), range: self.range_rad(), samples: outside };
         Err(FileError { file: sweep.file().to_owned(), problem })
@@ -183,6 +202,16 @@ fn contradictions(nodes: &[Node], functions: &[Known]) -> Vec<LineProblem> {
     }
     bad.sort_by_key(|problem| problem.line);
     bad
+}
+
+/// Uncertainties that are none.
+fn negative(nodes: &[Node], names: &[String]) -> Vec<LineProblem> {
+    let of = |node: &Node| {
+        let negative = node.stds.iter().zip(names).find(|(std, _)| **std < 0.0);
+        let problem = negative.map(|(_, name)| FieldProblem::Negative { column: name.clone() });
+        problem.map(|problem| LineProblem { line: node.line, problem })
+    };
+    nodes.iter().filter_map(of).collect()
 }
 
 fn goes_round(nodes: &[Node]) -> bool {

@@ -21,8 +21,6 @@ pub struct Truth {
     pub noise_um: f64,
     /// First and last angle, degrees.
     pub range_deg: (f64, f64),
-    /// The swept angle's symbol, such as `a`.
-    pub angle: String,
     /// Functions at points.
     pub functions: Vec<TruthFunction>,
     /// Single parameters by name, in mm or rad.
@@ -36,13 +34,15 @@ pub struct TruthFunction {
     pub name: String,
     /// The unit its values are written in, which is their key.
     pub unit: Unit,
-    /// Angle in degrees and value in `unit`.
+    /// Its axis' coordinate with its unit: `a_deg`, `x_mm`.
+    pub coordinate: String,
+    /// Coordinate and value in `unit`.
     pub points: Vec<(f64, f64)>,
 }
 
 impl Truth {
     /// The text of `truth.json`: one object with the fields' names as keys, each function a list of
-    /// `{"<angle>_deg": …, "<unit>": …}` under its name, each constant a number under its.
+    /// `{"<coordinate>": …, "<unit>": …}` under its name, each constant a number under its.
     ///
     /// # Errors
     /// [`WriteProblem::NotFinite`] (line 0, column 0) where a value is not finite: JSON has no such number.
@@ -82,10 +82,9 @@ impl Serialize for Truth {
         map.serialize_entry("samples", &self.samples)?;
         map.serialize_entry("noise_um", &self.noise_um)?;
         map.serialize_entry("range_deg", &self.range_deg)?;
-        let angle = format!("{}_deg", self.angle);
-        for TruthFunction { name, unit, points } in &self.functions {
+        for TruthFunction { name, unit, coordinate, points } in &self.functions {
             let points: Vec<_> =
-                points.iter().map(|(a, value)| Point([(&angle, *a), (unit.suffix(), *value)])).collect();
+                points.iter().map(|(a, value)| Point([(coordinate, *a), (unit.suffix(), *value)])).collect();
             map.serialize_entry(name, &points)?;
         }
         for (name, value) in &self.constants {

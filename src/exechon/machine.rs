@@ -107,7 +107,7 @@ fn parse(text: &str) -> Result<Machine<f64>, MachineFileError> {
 /// The line of the key that a problem is about.
 fn line_of(text: &str, problem: &MachineError) -> usize {
     let (section, key) = match problem {
-        MachineError::NotFinite(d) | MachineError::NotPositive(d) => match d {
+        MachineError::NotFinite(d) | MachineError::NotPositive(d) | MachineError::TooLarge(d) => match d {
             Dimension::HomeStrut | Dimension::HomeA => ("[home]", d.name()),
             _ => ("[dimensions]", d.name()),
         },

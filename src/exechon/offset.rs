@@ -7,9 +7,6 @@ use std::path::Path;
 use trunnion_solver::exechon::Machine;
 use trunnion_solver::probe::{OffsetFit, Reversal, Touch, offset};
 
-/// Fewest touches of an offset: one more than its unknowns.
-const LEAST: usize = 5;
-
 /// The ring and how well it and a touch are known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gauge {
@@ -64,7 +61,7 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
         })?;
         Ok(([position[0], position[1]], spindle, spindle - rotation))
     };
-    let touched = touches(file, None, LEAST)?.iter().map(turned).collect::<Result<Vec<_>, InputError>>()?;
+    let touched = touches(file, None, 1)?.iter().map(turned).collect::<Result<Vec<_>, InputError>>()?;
     let fit = |touches: Vec<Touch<f64>>| {
         offset(&touches, gauge.touch).map_err(|problem| InputError::Offset { file: file.to_owned(), problem })
     };

@@ -3,7 +3,7 @@
 use super::PointError;
 use super::input::{InputError, JOINTS, POSES, Rows};
 use std::path::Path;
-use trunnion_solver::exechon::{Joints, Machine, Pose, Start, Target, Tilted};
+use trunnion_solver::exechon::{Joints, KinematicsError, Machine, Pose, Start, Target, Tilted};
 
 /// Coordinates of points and directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,8 +63,15 @@ fn near(
     tilted: Tilted,
 ) -> Result<(Pose<f64>, f64), PointError> {
     let target = Target::new(point, direction)?;
-    let near = machine.inverse(&target, start);
-    let pose = near.or_else(|_| machine.inverse(&target, &machine.home().start()))?;
+    let home = machine.home().start();
+    let near = machine.inverse(&target, start).or_else(|_| machine.inverse(&target, &home));
+    // Near A = 0 a pose may have all its solutions on the other branch.
+    let pose = near.or_else(|problem| match problem {
+        KinematicsError::NoConvergence { .. } => {
+            machine.inverse(&target, &Start { branch: home.branch.other(), ..home }).map_err(|_| problem)
+        }
+        _ => Err(problem),
+    })?;
     Ok((pose, machine.dependent_rotation(&pose, tilted)?))
 }
 

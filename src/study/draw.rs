@@ -6,44 +6,17 @@
 //! assumed is a polynomial of degree 2 of a linear axis, or two harmonics of a rotary one that vanish at 0; one assumed
 //! to be zero is zero.
 
+use super::limits::ErrorLimits;
 use super::setup::Setup;
 use rand::{Rng, RngExt};
-use trunnion_codegen::algebra::{ErrorId, Quantity};
+use trunnion_codegen::algebra::{ErrorId, Quantity, wrapped_value};
 use trunnion_codegen::basis::{Arithmetic, Basis, Univariate};
 use trunnion_codegen::identify::{Origin, Parameter};
 use trunnion_codegen::ids::{BaseId, ParameterId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
 use trunnion_codegen::model::AxisKind;
-use trunnion_codegen::quantity::Unit;
 use typed_index_collections::TiVec;
-
-/// Largest errors.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ErrorLimits {
-    /// Of lengths, mm.
-    pub length: f64,
-    /// Of angles, rad.
-    pub angle: f64,
-}
-
-impl ErrorLimits {
-    /// The paper's: ±30 µm and ±100 µrad.
-    pub const PAPER: Self = Self { length: 0.03, angle: 1e-4 };
-
-    /// Limits in µm and µrad.
-    pub fn scaled(length_um: f64, angle_urad: f64) -> Self {
-        Self { length: length_um * Unit::Um.factor(), angle: angle_urad * Unit::Urad.factor() }
-    }
-
-    /// The limit of an error.
-    pub fn of(&self, quantity: Quantity) -> f64 {
-        match quantity {
-            Quantity::Length => self.length,
-            Quantity::Angle => self.angle,
-        }
-    }
-}
 
 /// One machine: a value for every error.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,8 +30,8 @@ pub struct SimulatedMachine {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum ErrorShape {
     Constant(f64),
-    /// Coefficients of x⁰, x¹, …
-    Polynomial(Vec<f64>),
+    /// Coefficients of x⁰, x¹, …; with a start (in steps of 15°) of the angle less whole turns.
+    Polynomial(Vec<f64>, Option<i32>),
     /// `c₀ + Σ cₖ cos kx + sₖ sin kx`
     Harmonics(f64, Vec<(f64, f64)>),
 }
@@ -67,7 +40,10 @@ impl ErrorShape {
     pub fn at(&self, x: f64) -> f64 {
         match self {
             Self::Constant(v) => *v,
-            Self::Polynomial(c) => c.iter().rev().fold(0.0, |sum, c| sum * x + c),
+            Self::Polynomial(c, turn) => {
+                let x = turn.map_or(x, |start| wrapped_value(x, start));
+                c.iter().rev().fold(0.0, |sum, c| sum * x + c)
+            }
             Self::Harmonics(constant, waves) => {
                 let wave = |(k, (c, s)): (usize, &(f64, f64))| {
                     let (sin, cos) = ((k + 1) as f64 * x).sin_cos();
@@ -81,7 +57,7 @@ impl ErrorShape {
     fn scaled(mut self, factor: f64) -> Self {
         match &mut self {
             Self::Constant(v) => *v *= factor,
-            Self::Polynomial(c) => c.iter_mut().for_each(|c| *c *= factor),
+            Self::Polynomial(c, _) => c.iter_mut().for_each(|c| *c *= factor),
             Self::Harmonics(constant, waves) => {
                 *constant *= factor;
                 waves.iter_mut().for_each(|(c, s)| (*c, *s) = (*c * factor, *s * factor));
@@ -125,8 +101,8 @@ impl SimulatedMachine {
 /// Draws a machine. `runs` are the runs to be simulated: they say over which coordinates a function is scaled.
 pub fn draw(setup: &Setup, runs: &[ExactReading], limits: ErrorLimits, random: &mut impl Rng) -> SimulatedMachine {
     let model = &setup.model;
-    let shape = |(id, _, quantity): (ErrorId, &str, Quantity)| {
-        let limit = limits.of(quantity);
+    let shape = |(id, ..): (ErrorId, &str, Quantity)| {
+        let limit = setup.limit(id, limits);
         let Some((axis, _)) = model.axis_of(id) else {
             let value = uniform(random) * limit;
             return (ErrorShape::Constant(value), vec![value]);
@@ -149,14 +125,17 @@ pub fn draw(setup: &Setup, runs: &[ExactReading], limits: ErrorLimits, random: &
 pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<ErrorShape> {
     let Some((axis, _)) = setup.model.axis_of(error) else { return vec![ErrorShape::Constant(1.0)] };
     let kind = setup.model.axis(axis).map_or(AxisKind::Linear, |a| a.kind);
-    let mut shapes = Shapes(setup);
+    let mut shapes = Shapes { setup, turn: None };
     match (setup.model.function(error).map(|(_, f)| &f.basis), kind) {
-        (Some(Basis::Zero), _) => Vec::new(),
-        (Some(Basis::Functions(functions)), _) => functions.iter().map(|f| f.of(&mut shapes)).collect(),
-        (None | Some(Basis::Known), AxisKind::Linear) => {
+        (Some(Basis::Zero), _) if setup.model.limits.of(error).is_none() => Vec::new(),
+        (Some(Basis::Functions(functions)), _) => {
+            shapes.turn = functions.turn_from;
+            functions.terms.iter().map(|f| f.of(&mut shapes)).collect()
+        }
+        (None | Some(Basis::Known | Basis::Zero), AxisKind::Linear) => {
             [1, 2].map(|n| shapes.polynomial(&Univariate::power(n))).into()
         }
-        (None | Some(Basis::Known), AxisKind::Rotary) => {
+        (None | Some(Basis::Known | Basis::Zero), AxisKind::Rotary) => {
             let less_one = |cosine| sum(vec![cosine, ErrorShape::Harmonics(-1.0, Vec::new())]);
             [1, 2].into_iter().flat_map(|k| [less_one(shapes.cosine(k)), shapes.sine(k)]).collect()
         }
@@ -164,7 +143,10 @@ pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<ErrorShape> {
 }
 
 /// Functions of a coordinate as shapes.
-struct Shapes<'a>(&'a Setup);
+struct Shapes<'a> {
+    setup: &'a Setup,
+    turn: Option<i32>,
+}
 
 impl Shapes<'_> {
     fn wave(&self, multiple: u8, wave: (f64, f64)) -> ErrorShape {
@@ -177,7 +159,7 @@ impl Arithmetic for Shapes<'_> {
     type Value = ErrorShape;
 
     fn polynomial(&mut self, f: &Univariate) -> ErrorShape {
-        ErrorShape::Polynomial(f.coefficients(&self.0.model.alphabet, &|n| self.0.constant(n)))
+        ErrorShape::Polynomial(f.coefficients(&self.setup.model.alphabet, &|n| self.setup.constant(n)), self.turn)
     }
 
     fn cosine(&mut self, multiple: u8) -> ErrorShape {
@@ -191,9 +173,9 @@ impl Arithmetic for Shapes<'_> {
 
 fn sum(shapes: Vec<ErrorShape>) -> ErrorShape {
     let add = |a: ErrorShape, b: ErrorShape| match (a, b) {
-        (ErrorShape::Polynomial(a), ErrorShape::Polynomial(b)) => {
+        (ErrorShape::Polynomial(a, turn), ErrorShape::Polynomial(b, _)) => {
             let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
-            ErrorShape::Polynomial((0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect())
+            ErrorShape::Polynomial((0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect(), turn)
         }
         (ErrorShape::Harmonics(c, a), ErrorShape::Harmonics(d, b)) => {
             let at = |w: &[(f64, f64)], i: usize| w.get(i).copied().unwrap_or((0.0, 0.0));

@@ -1,11 +1,12 @@
 //! An estimate, or why there is none in the names that a person knows: inside, runs and coefficients are positions.
 
 use super::fit::{self as solved, Estimator, Fit, FitError, Observation, Variance};
-use super::least_squares::LARGEST;
 use super::setup::Setup;
 use core::fmt;
 use thiserror::Error;
+use trunnion_codegen::algebra::AlgebraError;
 use trunnion_codegen::ids::{BaseId, RunId};
+use trunnion_solver::sized::LARGEST;
 
 /// Why there is no estimate; runs and coefficients by name.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -44,6 +45,12 @@ pub enum EstimateError {
         "{0} coefficients where at most {LARGEST} can be fitted together\n  leave runs out or use simpler functions"
     )]
     TooManyCoefficients(usize),
+    /// What the readings determine could not be worked out.
+    #[error("what these runs determine cannot be worked out: {0}\n  simplify the description")]
+    Algebra(AlgebraError),
+    /// Not a function that the model is made to find.
+    #[error("`{0}` is not estimated\n  expected a name in `estimate = […]` of the model file")]
+    NotEstimated(String),
 }
 
 impl EstimateError {
@@ -61,6 +68,7 @@ impl EstimateError {
             FitError::NotFinite => Self::NotFinite,
             FitError::NoFirstStep => Self::NoFirstStep,
             FitError::TooManyCoefficients(count) => Self::TooManyCoefficients(count),
+            FitError::Algebra(error) => Self::Algebra(error),
         }
     }
 

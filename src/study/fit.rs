@@ -4,12 +4,15 @@
 //! then the others with those coefficients put in, their covariance carried along
 //! ([`Order`](trunnion_solver::lstsq::Order)).
 
-use super::least_squares::{self, Accumulate, Columns, Separation, Unsolved};
+use super::seen::Seen;
+use super::separation::Separation;
 use super::setup::Setup;
 use super::weights::Weights;
 use nalgebra::{DMatrix, DVector};
+use trunnion_codegen::algebra::AlgebraError;
 use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
 use trunnion_solver::lstsq::Step;
+use trunnion_solver::sized::{self, Columns, Estimate, Unsolved};
 
 /// How the runs are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -30,6 +33,8 @@ pub struct Sample {
     pub reading: f64,
     /// Values of the run's known functions (mm or rad), in the order of its derivation.
     pub known: Vec<f64>,
+    /// Their standard uncertainties; none where they are not stated.
+    pub known_std: Vec<f64>,
 }
 
 /// The data of one run.
@@ -57,7 +62,10 @@ impl Observation {
     /// A run at the given sweeps (rad) with all readings zero: for what does not depend on readings.
     pub fn zero(setup: &Setup, run: RunId, sweeps: &[f64]) -> Self {
         let known = vec![0.0; setup.derivation.runs[run].known.len()];
-        let samples = sweeps.iter().map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone() }).collect();
+        let samples = sweeps
+            .iter()
+            .map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone(), known_std: Vec::new() })
+            .collect();
         Self { run, weight: 1.0, samples }
     }
 }
@@ -87,6 +95,8 @@ pub enum FitError {
     NoFirstStep,
     /// More coefficients than the solver is built for.
     TooManyCoefficients(usize),
+    /// What they determine could not be worked out.
+    Algebra(AlgebraError),
 }
 
 /// An estimate of the base parameters.
@@ -108,6 +118,8 @@ pub struct Fit {
     pub separation: Separation,
     /// The step of each observation.
     steps: Vec<Step>,
+    /// The estimated functions as `base` gives them.
+    seen: Vec<Seen>,
     /// By how much a sample of each step moves the base parameters, in the order of `base`.
     sensitivity: [DMatrix<f64>; 2],
 }
@@ -132,7 +144,7 @@ pub fn fit_with(
 ) -> Result<Fit, FitError> {
     let steps = steps(setup, observations, estimator)?;
     let (base, columns) = columns(setup, observations, &steps);
-    let mut problem = least_squares::accumulator(&columns).ok_or(FitError::TooManyCoefficients(base.len()))?;
+    let mut problem = sized::estimator(&columns).ok_or(FitError::TooManyCoefficients(base.len()))?;
     for (observation, &step) in observations.iter().zip(&steps) {
         push(setup, observation, step, &base, &columns.of(step), problem.as_mut())?;
     }
@@ -162,7 +174,10 @@ pub fn fit_with(
         rms: Vec::new(),
         steps,
         sensitivity: solved.sensitivity,
+        seen: Vec::new(),
     };
+    let determined = setup.derivation.determined_by(&setup.model, &fit.base).map_err(FitError::Algebra)?;
+    fit.seen = determined.into_iter().map(|d| Seen::new(setup, d)).collect();
     fit.rms = observations.iter().map(|o| rms(setup, o, &fit)).collect();
     Ok(fit)
 }
@@ -211,7 +226,7 @@ fn push(
     step: Step,
     base: &[BaseId],
     columns: &[usize],
-    problem: &mut dyn Accumulate,
+    problem: &mut dyn Estimate,
 ) -> Result<(), FitError> {
     let regressors = setup.derivation.runs[observation.run].regressors.iter();
     let places: Vec<Option<usize>> = regressors.map(|(b, _)| columns.iter().position(|&c| base[c] == *b)).collect();
@@ -244,7 +259,18 @@ fn rms(setup: &Setup, observation: &Observation, fit: &Fit) -> f64 {
 }
 
 impl Fit {
-    /// Value and standard deviation of an estimated function at a coordinate of its axis (mm or rad).
+    /// The estimated functions as these readings give them.
+    pub fn functions(&self) -> &[Seen] {
+        &self.seen
+    }
+
+    /// An estimated function as these readings give it.
+    pub fn seen(&self, function: FunctionId) -> Option<&Seen> {
+        self.seen.iter().find(|s| s.function() == function)
+    }
+
+    /// Value and standard deviation of an estimated function, or of the sum it is seen in, at a coordinate of its axis (mm or
+    /// rad).
     pub fn function(&self, setup: &Setup, function: FunctionId, x: f64) -> (f64, f64) {
         let g = self.functional(setup, function, x);
         (g.dot(&self.values), (&self.covariance * &g).dot(&g).max(0.0).sqrt())
@@ -257,15 +283,30 @@ impl Fit {
 
     /// How a base parameter depends on each reading.
     pub fn coefficient_sensitivity(&self, setup: &Setup, observations: &[Observation], base: BaseId) -> Weights {
-        let mut one = DVector::zeros(self.base.len());
-        if let Ok(at) = self.base.binary_search(&base) {
-            one[at] = 1.0;
+        self.weights(setup, observations, &self.placed([([(base, 1.0)].as_slice(), 1.0)]))
+    }
+
+    /// How the coefficients of a function, as it is seen, depend on each reading.
+    pub fn coefficient_sensitivities(&self, setup: &Setup, observations: &[Observation], seen: &Seen) -> Vec<Weights> {
+        let weights = |combination| self.weights(setup, observations, &self.placed([(combination, 1.0)]));
+        seen.combinations().map(weights).collect()
+    }
+
+    /// Combinations of base parameters, each times a factor, in the order of `base`.
+    fn placed<'a>(&self, combinations: impl IntoIterator<Item = (&'a [(BaseId, f64)], f64)>) -> DVector<f64> {
+        let mut placed = DVector::zeros(self.base.len());
+        for (combination, factor) in combinations {
+            for (b, f) in combination {
+                if let Ok(at) = self.base.binary_search(b) {
+                    placed[at] += f * factor;
+                }
+            }
         }
-        self.weights(setup, observations, &one)
+        placed
     }
 
     /// How `functional · base parameters` depends on each reading.
-    fn weights(&self, setup: &Setup, observations: &[Observation], functional: &DVector<f64>) -> Weights {
+    pub(super) fn weights(&self, setup: &Setup, observations: &[Observation], functional: &DVector<f64>) -> Weights {
         let moved = self.sensitivity.each_ref().map(|by| by.tr_mul(functional));
         let of = observations.iter().zip(&self.steps).map(|(observation, step)| {
             let moved = &moved[usize::from(*step == Step::Second)];
@@ -281,19 +322,23 @@ impl Fit {
         Weights(of.collect())
     }
 
+    /// By how much a reading of an observation moves the base parameters, times its weight and its row.
+    pub(super) fn sensitivity_of(&self, observation: usize) -> &DMatrix<f64> {
+        &self.sensitivity[usize::from(self.steps.get(observation) == Some(&Step::Second))]
+    }
+
     /// Where the base parameters that an observation sees are in `base`.
-    fn places(&self, setup: &Setup, observation: &Observation) -> Vec<Option<usize>> {
+    pub(super) fn places(&self, setup: &Setup, observation: &Observation) -> Vec<Option<usize>> {
         let regressors = setup.derivation.runs[observation.run].regressors.iter();
         regressors.map(|(b, _)| self.base.binary_search(b).ok()).collect()
     }
 
-    fn functional(&self, setup: &Setup, function: FunctionId, x: f64) -> DVector<f64> {
-        let mut g = DVector::zeros(self.base.len());
-        for (b, value) in setup.basis(function, x) {
-            if let Ok(at) = self.base.binary_search(&b) {
-                g[at] = value;
-            }
-        }
-        g
+    /// What a function, as it is seen, is in base parameters.
+    pub(super) fn functional_of(&self, setup: &Setup, seen: &Seen, x: f64) -> DVector<f64> {
+        self.placed(seen.combinations().zip(seen.basis(setup, x)))
+    }
+
+    pub(super) fn functional(&self, setup: &Setup, function: FunctionId, x: f64) -> DVector<f64> {
+        self.seen(function).map_or_else(|| DVector::zeros(self.base.len()), |seen| self.functional_of(setup, seen, x))
     }
 }

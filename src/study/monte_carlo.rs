@@ -1,18 +1,21 @@
 //! The largest error of an estimated function over many drawn machines, and where it comes from.
 
-use super::draw::{ErrorLimits, draw};
+use super::draw::draw;
 use super::estimate::{EstimateError, fit};
 use super::fit::{Estimator, Observation};
+use super::limits::ErrorLimits;
 use super::setup::Setup;
 use super::simulate::grid;
-use super::weights::Weights;
+use super::told::Told;
+use super::visited::{between, visited};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
+use trunnion_codegen::identify::Extent;
+use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
-use typed_index_collections::{TiSlice, TiVec};
+use typed_index_collections::TiVec;
 
 /// What is drawn, and how often.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,10 +94,11 @@ impl KnownFactors {
     }
 }
 
-/// Points at which a function's error is looked at.
-const POINTS: usize = 1441;
+/// Steps between the points at which a function's error is looked at.
+const POINTS: usize = 1440;
 
-/// Draws machines, simulates all runs exactly and estimates one function; `done` is called after every machine.
+/// Draws machines, simulates all runs exactly and estimates one function, or the sum it is seen in; without trials where it is
+/// not seen; `done` is called after every machine.
 ///
 /// # Errors
 /// [`EstimateError`] if these runs over this range do not determine the function.
@@ -104,25 +108,27 @@ pub fn monte_carlo(
     estimator: Estimator,
     function: FunctionId,
     done: &(dyn Fn() + Sync),
-) -> Result<Vec<Trial>, EstimateError> {
-    let sweeps = grid(draws.samples, draws.range);
+) -> Result<(Told, Vec<Trial>), EstimateError> {
     let runs = || setup.model.runs.keys();
-    let exact: TiVec<RunId, ExactReading> = runs().map(|r| setup.exact(r, &sweeps)).collect();
+    let sweeps: TiVec<RunId, Vec<f64>> =
+        runs().map(|run| grid(draws.samples, setup.sweep_range(run, draws.range))).collect();
+    let exact: TiVec<RunId, ExactReading> = runs().map(|run| setup.exact(run, &sweeps[run])).collect();
     // The estimate is linear in the readings: its matrix is worked out once, on readings of zero.
-    let observations: Vec<Observation> = runs().map(|run| Observation::zero(setup, run, &sweeps)).collect();
+    let observations: Vec<Observation> = runs().map(|run| Observation::zero(setup, run, &sweeps[run])).collect();
     let estimate = fit(setup, &observations, estimator)?;
-    let coefficients: Vec<BaseId> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
-    let operator: Vec<Weights> =
-        coefficients.iter().map(|&b| estimate.coefficient_sensitivity(setup, &observations, b)).collect();
-    let step = (draws.range.1 - draws.range.0) / (POINTS - 1) as f64;
-    let points: Vec<(f64, Vec<f64>)> = (0..POINTS)
-        .map(|i| draws.range.0 + step * i as f64)
-        .map(|x| (x, setup.basis(function, x).into_iter().map(|(_, v)| v).collect()))
-        .collect();
-    let factors: TiVec<RunId, KnownFactors> = runs().map(|run| KnownFactors::new(setup, run, &sweeps)).collect();
+    let Some(seen) = estimate.seen(function) else {
+        return Err(EstimateError::NotEstimated(setup.function_name(function)));
+    };
+    let told = seen.told(setup);
+    if told.extent == Extent::NotSeen {
+        return Ok((told, Vec::new()));
+    }
+    let operator = estimate.coefficient_sensitivities(setup, &observations, seen);
+    let range = visited(setup, function, runs().map(|run| (run, &sweeps[run])));
+    let points: Vec<(f64, Vec<f64>)> =
+        range.into_iter().flat_map(|range| between(range, POINTS)).map(|x| (x, seen.basis(setup, x))).collect();
+    let factors: TiVec<RunId, KnownFactors> = runs().map(|run| KnownFactors::new(setup, run, &sweeps[run])).collect();
     let error = setup.model.functions[function].error;
-    // What is seen only together with other errors is compared with what is seen: the sum.
-    let together = coefficients.iter().any(|&b| !setup.derivation.is_alone(b));
 
     let trial = |n: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(draws.seed);
@@ -138,16 +144,14 @@ pub fn monte_carlo(
             .collect();
         let width = draws.noise;
         let noise: Vec<Vec<f64>> =
-            runs().map(|_| sweeps.iter().map(|_| random.random_range(-1.0..=1.0) * width).collect()).collect();
-        let base = together.then(|| machine.base(setup));
-        let seen = |basis: &[f64], base: &TiSlice<BaseId, f64>| {
-            coefficients.iter().zip(basis).map(|(&b, v)| base[b] * v).sum::<f64>()
-        };
+            runs().map(|run| sweeps[run].iter().map(|_| random.random_range(-1.0..=1.0) * width).collect()).collect();
+        // What is seen only together with other errors is compared with what is seen: the sum.
+        let base = (seen.extent() == Extent::UpTo).then(|| machine.base(setup));
         let (systematic, random_part) = (apply(&clean), apply(&noise));
         let mut worst = Trial { noise: 0.0, linearisation: 0.0, both: 0.0 };
         for (x, basis) in &points {
             let value = |c: &[f64]| basis.iter().zip(c).map(|(b, c)| b * c).sum::<f64>();
-            let truth = base.as_ref().map_or_else(|| machine.value(error, *x), |base| seen(basis, base));
+            let truth = base.as_ref().map_or_else(|| machine.value(error, *x), |base| seen.truth(setup, base, *x));
             let (s, r) = (value(&systematic) - truth, value(&random_part));
             worst.noise = worst.noise.max(r.abs());
             worst.linearisation = worst.linearisation.max(s.abs());
@@ -156,5 +160,5 @@ pub fn monte_carlo(
         done();
         worst
     };
-    Ok((0..draws.trials).into_par_iter().map(trial).collect())
+    Ok((told, (0..draws.trials).into_par_iter().map(trial).collect()))
 }

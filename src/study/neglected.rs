@@ -1,6 +1,6 @@
 //! What linearisation drops: the second-order terms of a reading, bounded for given limits of the errors.
 
-use super::draw::ErrorLimits;
+use super::limits::ErrorLimits;
 use super::setup::{Setup, SetupError};
 use trunnion_codegen::algebra::{Monomial, Nominal, Order};
 use trunnion_codegen::emit::model::poly;
@@ -76,7 +76,7 @@ pub(super) fn product_name(setup: &Setup, errors: &Monomial) -> String {
 
 /// The largest value of a product within the limits.
 pub(super) fn product_size(setup: &Setup, errors: &Monomial, limits: ErrorLimits) -> f64 {
-    errors.errors().map(|e| limits.of(setup.model.alphabet.error_quantity(e))).product()
+    errors.errors().map(|e| setup.limit(e, limits)).product()
 }
 
 /// Derives a run at order 2 and bounds its second-order terms at the given values of the sweep, rad.

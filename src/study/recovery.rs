@@ -1,8 +1,10 @@
 //! How near a report comes to the machine that its readings were simulated on.
 
 use super::draw::SimulatedMachine;
+use super::fit::Fit;
 use super::report::Report;
 use super::setup::Setup;
+use trunnion_codegen::identify::Extent;
 use trunnion_codegen::kinematics::ErrorValues;
 
 /// The truth beside a report, in the report's order and units.
@@ -25,13 +27,17 @@ pub struct RecoveredFunction {
     pub inside: usize,
 }
 
-/// Compares a report with the machine.
-pub fn recovery(setup: &Setup, machine: &SimulatedMachine, report: &Report) -> Recovery {
+/// Compares the report of a fit with the machine; a sum of several errors with that sum.
+pub fn recovery(setup: &Setup, machine: &SimulatedMachine, fit: &Fit, report: &Report) -> Recovery {
     let base = machine.base(setup);
     let of = |name: &str| setup.derivation.base.position(|b| b.name == name).map_or(f64::NAN, |b| base[b]);
     let functions = report.functions.iter().map(|curve| {
         let error = setup.model.functions[curve.function].error;
-        let at = |x: f64| curve.unit.from_inner(machine.value(error, curve.coordinate_unit.to_inner(x)));
+        let sum = fit.seen(curve.function).filter(|_| curve.told.extent == Extent::UpTo);
+        let at = |x: f64| {
+            let x = curve.coordinate_unit.to_inner(x);
+            curve.unit.from_inner(sum.map_or_else(|| machine.value(error, x), |sum| sum.truth(setup, &base, x)))
+        };
         let truth: Vec<f64> = curve.points.iter().map(|p| at(p.at)).collect();
         let errors = || curve.points.iter().zip(&truth).map(|(p, truth)| ((p.value - truth).abs(), p.u95));
         RecoveredFunction {

@@ -1,12 +1,14 @@
 //! What a fit says: numbers with units, and what to be wary of.
 
+use super::budget::{Budget, Instrument, Sources};
 use super::curve::{Curve, curve};
-use super::draw::ErrorLimits;
 use super::fit::{Estimator, Fit, Observation};
+use super::limits::ErrorLimits;
 use super::neglected::neglected;
 use super::setup::{Setup, SetupError, coordinate};
 use super::warning::{Warning, warnings};
 use trunnion_codegen::algebra::{Nominal, Poly};
+use trunnion_codegen::emit::equations;
 use trunnion_codegen::ids::BaseId;
 use trunnion_codegen::quantity::{Quantity, Unit};
 
@@ -17,8 +19,10 @@ pub struct Report {
     pub model: String,
     /// How it was estimated.
     pub estimator: Estimator,
-    /// Errors that what linearisation drops is worked out for.
+    /// Limits of the machine's errors in every line of the budget that needs them.
     pub limits: ErrorLimits,
+    /// What is known of the instrument; nothing is in no line.
+    pub instrument: Instrument,
     /// Each run: name, samples, root mean square of its residuals in µm.
     pub runs: Vec<(String, usize, f64)>,
     /// The estimated base parameters.
@@ -38,11 +42,19 @@ pub struct Report {
 pub struct EstimatedCoefficient {
     /// `k1`
     pub name: String,
+    /// What it is in physical parameters, where it is more than the one it is named after.
+    pub definition: Option<String>,
     /// Estimate.
     pub value: f64,
-    /// Its standard deviation.
+    /// Its standard uncertainty from the scatter of the readings alone.
+    pub noise_std: f64,
+    /// Its combined standard uncertainty.
     pub std: f64,
-    /// Unit of both.
+    /// Its expanded uncertainty, 95 %.
+    pub u95: f64,
+    /// What that is made of.
+    pub budget: Budget,
+    /// Unit of all.
     pub unit: String,
 }
 
@@ -55,21 +67,34 @@ pub fn report(
     observations: &[Observation],
     fit: &Fit,
     limits: ErrorLimits,
+    instrument: &Instrument,
     without_table: bool,
 ) -> Result<Report, SetupError> {
     let name = |b: BaseId| setup.derivation.base[b].name.clone();
-    let coefficient = |(i, &b): (usize, &BaseId)| EstimatedCoefficient {
-        name: name(b),
-        value: fit.values[i],
-        std: fit.covariance[(i, i)].max(0.0).sqrt(),
-        unit: coefficient_unit(setup, b),
+    let sources = Sources::new(setup, observations, fit, limits, instrument, without_table);
+    let coefficient = |(i, &b): (usize, &BaseId)| {
+        let budget = sources.coefficient(b);
+        EstimatedCoefficient {
+            name: name(b),
+            definition: (!setup.derivation.is_alone(b) || setup.derivation.base[b].estimates.is_none())
+                .then(|| equations::definition(&setup.model, &setup.derivation, &setup.derivation.base[b])),
+            value: fit.values[i],
+            noise_std: fit.covariance[(i, i)].max(0.0).sqrt(),
+            std: budget.combined.std,
+            u95: budget.combined.expanded,
+            unit: coefficient_unit(setup, b),
+            budget,
+        }
     };
     let mut bounds = Vec::new();
     for o in observations {
         let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
         bounds.push(neglected(setup, o.run, &sweeps, limits)?.bound);
     }
-    let curves = setup.estimated().filter_map(|f| curve(setup, observations, fit, f, &bounds, limits).transpose());
+    let curves = fit
+        .functions()
+        .iter()
+        .filter_map(|f| curve(setup, observations, fit, &sources, f, &bounds, limits).transpose());
     let functions = curves.collect::<Result<Vec<Curve>, SetupError>>()?;
     let run = |(o, rms): (&Observation, &f64)| {
         (setup.model.runs[o.run].name.clone(), o.samples.len(), Unit::Um.from_inner(*rms))
@@ -78,6 +103,7 @@ pub fn report(
         model: setup.model.name.clone(),
         estimator: fit.estimator,
         limits,
+        instrument: *instrument,
         runs: observations.iter().zip(&fit.rms).map(run).collect(),
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
         functions,

@@ -1,13 +1,14 @@
 //! A model with numbers for its constants, ready to evaluate.
 
+use super::limits::ErrorLimits;
 use core::fmt;
 use std::collections::BTreeSet;
-use trunnion_codegen::algebra::{Fraction, Poly, at};
+use trunnion_codegen::algebra::{ErrorId, Fraction, NominalId, Poly, at};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
-use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, derive};
-use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId};
+use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, Origin, derive};
+use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId, TermId};
 use trunnion_codegen::model::{self, Axis, AxisKind, Model, Problem, ReadingKind};
 use trunnion_codegen::problems::of_derivation;
 use trunnion_codegen::quantity::Quantity;
@@ -162,19 +163,43 @@ impl Setup {
         self.model.functions.iter_enumerated().filter(|(_, f)| f.estimate).map(|(i, _)| i)
     }
 
-    /// A function's basis at a coordinate, each value with the base parameter whose coefficient it is.
-    pub fn basis(&self, function: FunctionId, x: f64) -> Vec<(BaseId, f64)> {
-        let values = self.model.functions[function].basis.values(x, &self.model.alphabet, &|n| self.constant(n));
-        let carries = |term| self.derivation.base.position(|b| b.estimates == Some(Coefficient { function, term }));
-        values.into_iter_enumerated().filter_map(|(term, v)| Some((carries(term)?, v))).collect()
+    /// The functions of a basis at a coordinate, mm or rad.
+    pub fn basis(&self, function: FunctionId, x: f64) -> TiVec<TermId, f64> {
+        self.model.functions[function].basis.values(x, &self.model.alphabet, &|n| self.constant(n))
+    }
+
+    /// The parameter that is a coefficient of a function, if a run sees it.
+    pub fn coefficient(&self, function: FunctionId, term: TermId) -> Option<ParameterId> {
+        let own = Origin::Coefficient(Coefficient { function, term });
+        self.derivation.parameters.position(|p| p.origin == own)
+    }
+
+    /// A quotient of constants as a number.
+    pub fn number(&self, f: &Fraction) -> f64 {
+        let number = |p: &Poly| at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
+        number(f.numerator()) / f.denominator().map_or(1.0, number)
     }
 
     /// Definitions of the base parameters with the constants' values put in: parameter and factor.
     pub fn definitions(&self) -> TiVec<BaseId, Vec<(ParameterId, f64)>> {
-        let number = |p: &Poly| at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
-        let factor = |f: &Fraction| number(f.numerator()) / f.denominator().map_or(1.0, number);
-        let definition = |b: &BaseParameter| b.definition.iter().map(|(j, f)| (*j, factor(f))).collect();
+        let definition = |b: &BaseParameter| b.definition.iter().map(|(j, f)| (*j, self.number(f))).collect();
         self.derivation.base.iter().map(definition).collect()
+    }
+
+    /// The largest size of an error, mm or rad: its own of the model, or that of its kind.
+    pub fn limit(&self, error: ErrorId, limits: ErrorLimits) -> f64 {
+        let own = self.model.limits.of(error);
+        own.unwrap_or_else(|| limits.of(self.model.alphabet.error_quantity(error)))
+    }
+
+    /// The same with another value for one of its constants, mm.
+    pub(super) fn with_constant(&self, constant: NominalId, mm: f64) -> Self {
+        let name = self.model.alphabet.nominal_name(constant);
+        let mut changed = self.clone();
+        let names: Vec<String> = self.model.alphabet.constants().map(str::to_owned).collect();
+        let own = changed.constants.iter_mut().zip(names).filter(|(_, n)| *n == name);
+        own.for_each(|(value, _)| *value = mm);
+        changed
     }
 
     /// Name of a function in reports: `eps_xa`.

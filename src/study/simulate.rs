@@ -34,6 +34,7 @@ impl Setup {
             sweep,
             reading: clean + noise(),
             known: known.get(i).cloned().unwrap_or_default(),
+            known_std: Vec::new(),
         };
         let samples = sweeps.iter().zip(exact.values(machine)).enumerate().map(sample).collect();
         Observation { run, weight: 1.0, samples }

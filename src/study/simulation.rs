@@ -1,7 +1,8 @@
 //! A drawn machine and its noisy readings.
 
-use super::draw::{ErrorLimits, SimulatedMachine, draw};
+use super::draw::{SimulatedMachine, draw};
 use super::fit::Observation;
+use super::limits::ErrorLimits;
 use super::monte_carlo::Draws;
 use super::setup::Setup;
 use super::simulate::grid;
@@ -23,7 +24,8 @@ pub struct Simulation {
     pub noise_um: f64,
     /// Bounds of the errors.
     pub limits: ErrorLimits,
-    /// First angle and end of the range, degrees; the last sample is one step before the end.
+    /// First angle and end of the range, degrees; the last sample is one step before the end. A run of which an axis would
+    /// leave its range is swept as far as it goes.
     pub range_deg: (f64, f64),
 }
 
@@ -42,9 +44,23 @@ impl Simulation {
         (self.range_deg.0.to_radians(), self.range_deg.1.to_radians())
     }
 
-    /// The sweep at every sample, rad.
-    pub fn sweeps(&self) -> Vec<f64> {
-        grid(self.samples, self.range_deg).into_iter().map(f64::to_radians).collect()
+    /// A run's sweep at every sample, rad: over the range, as far as its axes go.
+    pub fn sweeps(&self, setup: &Setup, run: RunId) -> Vec<f64> {
+        match setup.reaches(run, self.range()) {
+            // In degrees, so that whole ones stay whole.
+            Ok(()) => grid(self.samples, self.range_deg).into_iter().map(f64::to_radians).collect(),
+            Err(_) => {
+                let (first, end) = setup.sweep_range(run, self.range());
+                let degrees = |rad: f64| (rad.to_degrees() * 1e9).round() / 1e9;
+                grid(self.samples, (degrees(first), degrees(end))).into_iter().map(f64::to_radians).collect()
+            }
+        }
+    }
+
+    /// A run's sweep at every sample and at the end, rad: a whole turn visits its end, too.
+    pub fn visited(&self, setup: &Setup, run: RunId) -> Vec<f64> {
+        let (first, end) = setup.sweep_range(run, self.range());
+        grid(self.samples, (first, end)).into_iter().chain([end]).collect()
     }
 
     /// Many machines drawn in the same way.
@@ -56,12 +72,13 @@ impl Simulation {
 
     /// Draws a machine and measures it.
     pub fn measure(&self, setup: &Setup) -> Simulated {
-        let sweeps = self.sweeps();
-        let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|r| setup.exact(r, &sweeps)).collect();
+        let sweeps: TiVec<RunId, Vec<f64>> = setup.model.runs.keys().map(|run| self.sweeps(setup, run)).collect();
+        let exact: TiVec<RunId, ExactReading> =
+            sweeps.iter_enumerated().map(|(run, sweeps)| setup.exact(run, sweeps)).collect();
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let machine = draw(setup, &exact.raw, self.limits, &mut random);
         let mut noise = || random.random_range(-1.0..=1.0) * self.noise_um * Unit::Um.factor();
-        let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, &mut noise);
+        let observe = |(run, exact)| setup.observe(run, exact, &sweeps[run], &machine, &mut noise);
         let observations = exact.iter_enumerated().map(observe).collect();
         Simulated { machine, observations }
     }

@@ -5,6 +5,7 @@ use super::fit::{Estimator, Observation};
 use super::monte_carlo::{Draws, Spread, Trial, monte_carlo};
 use super::setup::Setup;
 use super::simulate::grid;
+use super::told::Told;
 use super::warning::{Warning, goes_round};
 use thiserror::Error;
 use trunnion_codegen::ids::FunctionId;
@@ -17,8 +18,17 @@ pub struct Study {
     pub estimator: Estimator,
     /// Name of the function.
     pub function: String,
+    /// How far it is determined: of a sum of several errors, the error of the sum.
+    pub told: Told,
     /// µrad or µm.
     pub unit: Unit,
+    /// Where the errors come from; none of a function that is not seen.
+    pub errors: Option<Errors>,
+}
+
+/// Distributions of the largest error by where it comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
     /// From noise alone.
     pub noise: Spread,
     /// From linearisation alone.
@@ -56,14 +66,15 @@ pub fn studies(
     let mut studies = Vec::new();
     for &estimator in estimators {
         for &function in &functions {
-            let trials = monte_carlo(setup, draws, estimator, function, done)?;
+            let (told, trials) = monte_carlo(setup, draws, estimator, function, done)?;
             let unit = setup.quantity(function).deviation();
             let spread = |of: fn(&Trial) -> f64| Spread::of(trials.iter().map(|t| unit.from_inner(of(t))).collect());
-            let spreads = (spread(|t| t.noise), spread(|t| t.linearisation), spread(|t| t.both));
-            if let (Some(noise), Some(linearisation), Some(both)) = spreads {
-                let function = setup.function_name(function);
-                studies.push(Study { estimator, function, unit, noise, linearisation, both });
-            }
+            let errors = || {
+                let (noise, linearisation) = (spread(|t| t.noise)?, spread(|t| t.linearisation)?);
+                Some(Errors { noise, linearisation, both: spread(|t| t.both)? })
+            };
+            let function = setup.function_name(function);
+            studies.push(Study { estimator, function, told, unit, errors: errors() });
         }
     }
     Ok(studies)
@@ -74,8 +85,9 @@ pub fn studies(
 /// # Errors
 /// [`EstimateError`]
 pub fn design_warning(setup: &Setup, draws: Draws, estimator: Estimator) -> Result<Option<Warning>, EstimateError> {
-    let sweeps = grid(draws.samples, draws.range);
-    let design: Vec<Observation> = setup.model.runs.keys().map(|run| Observation::zero(setup, run, &sweeps)).collect();
+    let sweeps = |run| grid(draws.samples, setup.sweep_range(run, draws.range));
+    let zero = |run| Observation::zero(setup, run, &sweeps(run));
+    let design: Vec<Observation> = setup.model.runs.keys().map(zero).collect();
     let separation = fit(setup, &design, estimator)?.separation;
     Ok(Warning::hardly_separated(setup, &separation, goes_round(draws.range)))
 }

@@ -5,9 +5,11 @@
 //! samples are worked out once for each pair of functions; what remains is quadratic in their factors, and its size on
 //! machines drawn within the limits is a mean over draws.
 
-use super::draw::{ErrorLimits, SimulatedMachine, draw, parts};
+use super::draw::{SimulatedMachine, draw, parts};
 use super::fit::{Fit, Observation};
+use super::limits::ErrorLimits;
 use super::neglected::{SecondOrder, product_name, product_size};
+use super::seen::Seen;
 use super::setup::{Setup, SetupError};
 use super::simulate::grid;
 use super::weights::Weights;
@@ -15,7 +17,6 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
 use trunnion_codegen::algebra::{ErrorId, Monomial};
-use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_codegen::measurement::ExactReading;
 
 /// Machines drawn: a root mean square over them is good to some 4 %.
@@ -75,19 +76,17 @@ pub fn systematic(
     setup: &Setup,
     observations: &[Observation],
     fit: &Fit,
-    function: FunctionId,
+    seen: &Seen,
     limits: ErrorLimits,
     points: &[f64],
 ) -> Result<Systematic, SetupError> {
-    let basis = |x: f64| -> Vec<f64> { setup.basis(function, x).into_iter().map(|(_, v)| v).collect() };
-    let coefficients: Vec<BaseId> = setup.basis(function, 1.0).into_iter().map(|(b, _)| b).collect();
-    let weights: Vec<Weights> =
-        coefficients.iter().map(|&b| fit.coefficient_sensitivity(setup, observations, b)).collect();
+    let basis = |x: f64| seen.basis(setup, x);
+    let weights = fit.coefficient_sensitivities(setup, observations, seen);
     let seconds: Vec<SecondOrder> =
         observations.iter().map(|o| SecondOrder::new(setup, o.run)).collect::<Result<_, _>>()?;
     let products = products(setup, observations, &seconds, &weights);
 
-    let size = coefficients.len();
+    let size = weights.len();
     let mut total = Moments::new(size);
     let mut single: Vec<Moments> = products.iter().map(|_| Moments::new(size)).collect();
     for machine in machines(setup, observations, limits) {

@@ -1,63 +1,96 @@
 //! The report for reading at a terminal.
 
+use super::budget::Budget;
 use super::curve::Curve;
-use super::report::Report;
+use super::report::{EstimatedCoefficient, Report};
 use core::fmt;
+use trunnion_codegen::identify::Extent;
 use trunnion_codegen::quantity::Unit;
 
 /// Lines of a curve, at most.
 const LINES: usize = 25;
+/// Effective degrees of freedom above which they change no digit.
+const MANY: f64 = 1e4;
 /// Second-order terms named with a curve.
 const TERMS: usize = 5;
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}: {} estimate", self.model, self.estimator)?;
-        for (name, samples, rms) in &self.runs {
-            writeln!(f, "run {name}: {samples} samples, residuals {rms:.3} µm rms")?;
+        for ((name, samples, rms), dropped) in self.runs.iter().zip(&self.neglected) {
+            writeln!(
+                f,
+                "run {name}: {samples} samples, residuals {rms:.3} µm rms; second order at most {dropped:.3} µm"
+            )?;
         }
-        writeln!(f, "condition {:.1} (columns scaled)", self.condition)?;
         let round = |x: f64| (x * 1e6).round() / 1e6;
         let length = round(Unit::Um.from_inner(self.limits.length));
         let angle = round(Unit::Urad.from_inner(self.limits.angle));
-        let dropped = self.runs.iter().zip(&self.neglected).map(|((name, ..), n)| format!("{n:.3} µm ({name})"));
-        let dropped: Vec<String> = dropped.collect();
-        writeln!(
-            f,
-            "linearisation drops at most {} with errors within {length} µm and {angle} µrad",
-            dropped.join(", ")
-        )?;
+        writeln!(f, "condition {:.1} (columns scaled)", self.condition)?;
+        writeln!(f, "± is the expanded uncertainty of 95 % (GUM), for errors within {length} µm and {angle} µrad")?;
+        if self.instrument == Default::default() {
+            writeln!(f, "nothing is stated of the instrument: no ± has a part of it")?;
+        }
         writeln!(f, "\nbase parameters")?;
-        let width = self.coefficients.iter().map(|c| c.name.len()).max().unwrap_or(0);
-        for c in &self.coefficients {
-            writeln!(f, "  {:width$} {:>14.6e} ± {:<10.2e} {}", c.name, c.value, c.std, c.unit)?;
+        let width = self.coefficients.iter().map(|c| c.name.chars().count()).max().unwrap_or(0);
+        for EstimatedCoefficient { name, value, u95, unit, definition, .. } in &self.coefficients {
+            write!(f, "  {name:width$} {value:>14.6e} ± {u95:<8.1e} {unit:10}")?;
+            writeln!(f, "{}", definition.as_ref().map_or(String::new(), |sum| format!(" = {sum}")))?;
         }
-        for curve in &self.functions {
-            curve.fmt(f)?;
-        }
-        writeln!(f, "\nThe band holds the noise of these readings; the uncertainty of the instrument is not in it.")
+        self.functions.iter().try_for_each(|curve| curve.fmt(f))
     }
 }
 
 impl fmt::Display for Curve {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "\n{} ({}), 95 % band of the fit; linearisation adds typically {:.2} (rms), at most {:.1}",
-            self.name, self.unit, self.neglected_typical, self.neglected
-        )?;
-        let terms = self.neglected_terms.iter().take(TERMS).map(|t| format!("{} {:.2}", t.name, t.typical));
-        let terms: Vec<String> = terms.collect();
-        if !terms.is_empty() {
-            writeln!(f, "  most of it from {}", terms.join(", "))?;
+        writeln!(f, "\n{}: {}", self.name, self.told.words)?;
+        let Some(sum) = &self.told.sum else { return Ok(()) };
+        let up_to = self.told.extent == Extent::UpTo;
+        if up_to {
+            writeln!(f, "  S = {sum}")?;
         }
+        let smallest = self.points.iter().map(|p| p.sum_u95).fold(f64::INFINITY, f64::min);
+        let digits = decimals(smallest);
+        let (x, unit) = (format!("{}/{}", self.coordinate, self.coordinate_unit), self.unit);
+        let head = if up_to { format!("S/{unit}") } else { format!("{}/{unit}", self.name) };
+        let last = if up_to { format!("  ± as {}", self.name) } else { String::new() };
+        writeln!(f, "  {x:>9} {head:>14} {:>10}{last}", "±")?;
         for p in self.points.iter().step_by(self.points.len().div_ceil(LINES).max(1)) {
-            writeln!(
-                f,
-                "  {} = {:>6.1} {}  {:>9.3} ± {:.3}",
-                self.coordinate, p.at, self.coordinate_unit, p.value, p.u95
-            )?;
+            write!(f, "  {:>9.1} {:>14.digits$} {:>10.digits$}", p.at, p.value, p.sum_u95)?;
+            writeln!(f, "{}", if up_to { format!("  {:>10.digits$}", p.u95) } else { String::new() })?;
         }
-        Ok(())
+        if let Some((at, budget)) = &self.largest {
+            let at = format!("{} = {at:.1} {}", self.coordinate, self.coordinate_unit);
+            writeln!(f, "  budget where ± is largest, {at}, standard uncertainties in {unit}")?;
+            table(f, budget)?;
+        }
+        let terms = self.neglected_terms.iter().take(TERMS).filter(|t| t.typical >= 0.005);
+        let terms: Vec<String> = terms.map(|t| format!("{} {:.2}", t.name, t.typical)).collect();
+        match terms.as_slice() {
+            [] => Ok(()),
+            terms => writeln!(f, "  linearisation: most of it from {}", terms.join(", ")),
+        }
     }
+}
+
+/// The lines of a budget, then what they make together.
+fn table(f: &mut fmt::Formatter<'_>, budget: &Budget) -> fmt::Result {
+    let smallest = budget.lines.iter().map(|line| line.contribution.std).fold(budget.combined.std, f64::min);
+    let digits = decimals(smallest);
+    for line in &budget.lines {
+        let dof = line.contribution.degrees_of_freedom.map_or(String::new(), |n| format!("  {n} degrees of freedom"));
+        writeln!(f, "    {:14} {:>10.digits$}{dof}", line.source, line.contribution.std)?;
+    }
+    let combined = &budget.combined;
+    let effective = match combined.degrees_of_freedom.floor() {
+        many if many > MANY => String::new(),
+        few => format!("  {few:.0} effective degrees of freedom"),
+    };
+    writeln!(f, "    {:14} {:>10.digits$}{effective}", "combined", combined.std)?;
+    writeln!(f, "    {:14} {:>10.digits$}  k = {:.2}", "expanded", combined.expanded, combined.factor)
+}
+
+/// Decimals that give an uncertainty two digits.
+fn decimals(uncertainty: f64) -> usize {
+    if uncertainty > 0.0 { (1.0 - uncertainty.log10().floor()).clamp(0.0, 4.0) as usize } else { 3 }
 }

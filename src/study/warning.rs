@@ -1,10 +1,15 @@
 //! What to be wary of in a fit.
 
 use super::fit::{Fit, Observation};
-use super::least_squares::Separation;
-use super::setup::Setup;
+use super::separation::Separation;
+use super::setup::{Setup, coordinate};
+use super::told::Told;
+use super::visited::{between, sweeps, visited};
 use core::fmt;
-use trunnion_codegen::emit::{equations, model};
+use std::f64::consts::{PI, TAU};
+use trunnion_codegen::algebra::{Poly, at};
+use trunnion_codegen::emit::model;
+use trunnion_codegen::identify::Extent;
 use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_codegen::quantity::Unit;
 
@@ -24,12 +29,32 @@ pub enum Warning {
         /// The data go round a whole turn.
         whole_turn: bool,
     },
-    /// An estimated function is seen only together with other errors.
-    SeenTogether {
+    /// An estimated function is not determined.
+    NotDetermined {
         /// Name of the function.
         function: String,
-        /// What is estimated in place of its coefficients: name and definition.
-        instead: Vec<(String, String)>,
+        /// How far it is.
+        told: Told,
+    },
+    /// Conditions of a function's basis are at coordinates that the data do not reach.
+    ConditionsNotReached {
+        /// Name of the function.
+        function: String,
+        /// The coordinates, in their unit.
+        points: Vec<f64>,
+        /// Degrees or mm.
+        unit: Unit,
+    },
+    /// Data are outside the interval for which a function's basis is stated.
+    OutsideConditions {
+        /// Name of the function.
+        function: String,
+        /// The interval, in its unit.
+        interval: (f64, f64),
+        /// What the data visit, in the same.
+        visited: (f64, f64),
+        /// Degrees or mm.
+        unit: Unit,
     },
     /// A known function was taken as zero.
     TakenAsZero {
@@ -56,10 +81,25 @@ impl fmt::Display for Warning {
                     names.join(", ")
                 )
             }
-            Self::SeenTogether { function, instead } => {
-                let each = instead.iter().map(|(name, sum)| format!("{name} stands for {sum}"));
-                write!(f, "{function} is seen only together with other errors: {}", each.collect::<Vec<_>>().join("; "))
+            Self::NotDetermined { function, told } => {
+                write!(f, "{function} is {}", told.words)?;
+                told.sum.as_ref().map_or(Ok(()), |sum| write!(f, ": the values are those of {sum}"))
             }
+            Self::ConditionsNotReached { function, points, unit } => {
+                let points: Vec<String> = points.iter().map(|x| format!("{x:.4}")).collect();
+                write!(
+                    f,
+                    "the basis of {function} has conditions at {} {unit}, which the data do not reach: \
+                     what is said of {function} rests on them as much as on the readings",
+                    points.join(" and ")
+                )
+            }
+            Self::OutsideConditions { function, interval, visited, unit } => write!(
+                f,
+                "the basis of {function} is stated from {:.4} to {:.4} {unit}, the data go from {:.4} to {:.4}: \
+                 outside, its polynomials are only continued",
+                interval.0, interval.1, visited.0, visited.1
+            ),
             Self::TakenAsZero { known, unit, costs } => {
                 write!(f, "no table: {known} is taken as zero")?;
                 for (name, own, cost) in costs {
@@ -88,7 +128,12 @@ pub(super) fn warnings(setup: &Setup, observations: &[Observation], fit: &Fit, w
     let whole_turn = observations.iter().any(|o| goes_round(span(std::slice::from_ref(o))));
     let mut warnings: Vec<Warning> =
         Warning::hardly_separated(setup, &fit.separation, whole_turn).into_iter().collect();
-    warnings.extend(setup.estimated().filter_map(|f| seen_together(setup, fit, f)));
+    let not_determined = fit.functions().iter().filter(|seen| seen.extent() != Extent::Determined);
+    warnings.extend(not_determined.map(|seen| {
+        let function = setup.function_name(seen.function());
+        Warning::NotDetermined { function, told: seen.told(setup) }
+    }));
+    warnings.extend(fit.functions().iter().filter_map(|seen| conditions(setup, observations, seen.function())));
     if without_table {
         warnings.extend(taken_as_zero(setup, observations, fit));
     }
@@ -106,17 +151,42 @@ pub(super) fn goes_round((low, high): (f64, f64)) -> bool {
     high - low >= 330f64.to_radians()
 }
 
-fn seen_together(setup: &Setup, fit: &Fit, function: FunctionId) -> Option<Warning> {
-    let own = |b: &&BaseId| {
-        let estimates = setup.derivation.base[**b].estimates;
-        estimates.is_some_and(|c| c.function == function) && !setup.derivation.is_alone(**b)
+/// Coordinates this near, rad, count as reached: a coarse step of a whole turn.
+const NEAR: f64 = 0.2;
+
+/// Whether the data suit the conditions of a function's basis.
+fn conditions(setup: &Setup, observations: &[Observation], function: FunctionId) -> Option<Warning> {
+    let basis = &setup.model.functions[function].basis;
+    let (axis, _) = setup.model.axis_of(setup.model.functions[function].error)?;
+    let unit = coordinate(setup.axis(function)?).coordinate();
+    let number = |p: &Poly| at(p, &setup.model.alphabet, 0.0, |n| setup.constant(n));
+    let mut points: Vec<f64> = basis.points().iter().map(number).collect();
+    points.sort_by(f64::total_cmp);
+    points.dedup();
+    let interval = (*points.first()?, *points.last()?);
+    let along =
+        |(run, sweeps): (_, Vec<f64>)| setup.exact(run, &sweeps).run().coordinates(axis).flatten().collect::<Vec<_>>();
+    let data: Vec<f64> = sweeps(observations).flat_map(along).collect();
+    let visited = visited(setup, function, sweeps(observations))?;
+    let function = setup.function_name(function);
+    let near = if unit == Unit::Deg { NEAR } else { NEAR * (visited.1 - visited.0) };
+    let (low, high) = (interval.0 - near, interval.1 + near);
+    if basis.turn_from().is_none() && interval.0 < interval.1 && !(low <= visited.0 && visited.1 <= high) {
+        let degrees = |(a, b): (f64, f64)| (unit.from_inner(a), unit.from_inner(b));
+        return Some(Warning::OutsideConditions {
+            function,
+            interval: degrees(interval),
+            visited: degrees(visited),
+            unit,
+        });
+    }
+    let away = |x: f64, point: f64| match basis.turn_from() {
+        Some(_) => ((x - point + PI).rem_euclid(TAU) - PI).abs(),
+        None => (x - point).abs(),
     };
-    let sum = |&b: &BaseId| {
-        let base = &setup.derivation.base[b];
-        (base.name.clone(), equations::definition(&setup.model, &setup.derivation, base))
-    };
-    let instead: Vec<_> = fit.base.iter().filter(own).map(sum).collect();
-    (!instead.is_empty()).then(|| Warning::SeenTogether { function: setup.function_name(function), instead })
+    points.retain(|point| data.iter().all(|x| away(*x, *point) > near));
+    let points: Vec<f64> = points.into_iter().map(|x| unit.from_inner(x)).collect();
+    (!points.is_empty()).then_some(Warning::ConditionsNotReached { function, points, unit })
 }
 
 /// What leaving out the table costs: for each known function the largest error that one unit of it, of the worst shape, can
@@ -129,10 +199,10 @@ fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<
     let mut costs: Vec<Vec<(String, Unit, f64)>> = vec![Vec::new(); known.len()];
     for function in setup.estimated() {
         let own = setup.quantity(function).deviation();
-        let (first, last) = span(observations);
+        let Some(range) = visited(setup, function, sweeps(observations)) else { continue };
         for (cost, &k) in costs.iter_mut().zip(&known) {
             let one = setup.quantity(k).deviation().to_inner(1.0);
-            let largest = (0..=36).map(|i| first + (last - first) * f64::from(i) / 36.0).map(|x| {
+            let largest = between(range, 36).map(|x| {
                 let sensitivity = fit.sensitivity(setup, observations, function, x);
                 sensitivity.observations().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
             });

@@ -2,7 +2,7 @@
 
 use super::{ESTIMATORS, Set, TILTING, relative};
 use trunnion::data::Unit;
-use trunnion::study::{ErrorLimits, Estimator, Fit, Observation, Warning, fit, report};
+use trunnion::study::{ErrorLimits, Estimator, Fit, Instrument, Observation, Warning, fit, report};
 
 #[test]
 fn sensitivity_is_what_a_moved_reading_does() {
@@ -62,7 +62,8 @@ fn the_cost_of_no_table_is_what_the_worst_table_does() {
     }
     for (estimator, key) in ESTIMATORS {
         let whole = set.fit(estimator);
-        let said = report(&set.setup, &set.observations, &whole, ErrorLimits::PAPER, true).unwrap();
+        let said =
+            report(&set.setup, &set.observations, &whole, ErrorLimits::PAPER, &Instrument::default(), true).unwrap();
         let costs: Vec<(&str, f64)> = said
             .warnings
             .iter()

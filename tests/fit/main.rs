@@ -9,7 +9,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use trunnion::data::{Known, Quantity, Radius, Sweep, Table};
 use trunnion::study::{
-    Curve, ErrorLimits, EstimateError, Estimator, Fit, Observation, Report, Sample, Setup, Warning, fit, report,
+    Curve, ErrorLimits, EstimateError, Estimator, Fit, Instrument, Observation, Report, Sample, Setup, Warning, fit,
+    report,
 };
 use trunnion_codegen::catalogue;
 use trunnion_codegen::ids::FunctionId;
@@ -50,12 +51,18 @@ impl Set {
         let observe = |name: &str| {
             let sweep = Sweep::read(&path(name), "a", Radius::new(mm).unwrap(), 11).unwrap();
             let known = |at: usize| match name == "tilting" {
-                true => table.at(sweep.samples()[at].angle_rad).unwrap(),
+                true => table.at(sweep.samples()[at].angle_rad).unwrap().values,
                 false => Vec::new(),
             };
             let samples = sweep.samples().iter().enumerate();
-            let samples =
-                samples.map(|(i, s)| Sample { sweep: s.angle_rad, reading: s.reading_mm, known: known(i) }).collect();
+            let samples = samples
+                .map(|(i, s)| Sample {
+                    sweep: s.angle_rad,
+                    reading: s.reading_mm,
+                    known: known(i),
+                    known_std: Vec::new(),
+                })
+                .collect();
             Observation { run: setup.run(name).unwrap(), weight: 1.0, samples }
         };
         let observations = ["tilting", "separation"].map(observe).into();
@@ -71,7 +78,15 @@ impl Set {
     }
 
     fn report(&self, estimator: Estimator) -> (Report, Curve) {
-        let report = report(&self.setup, &self.observations, &self.fit(estimator), ErrorLimits::PAPER, false).unwrap();
+        let report = report(
+            &self.setup,
+            &self.observations,
+            &self.fit(estimator),
+            ErrorLimits::PAPER,
+            &Instrument::default(),
+            false,
+        )
+        .unwrap();
         let curve = report.functions[0].clone();
         (report, curve)
     }
@@ -106,7 +121,8 @@ fn the_fit_is_the_least_squares_solution() {
                 value = value.max((p.value - number(&e["value"])).abs());
                 // At 0° and 360° the function and its band are zero but for rounding.
                 if number(&e["u95"]) > 1e-9 {
-                    u95 = u95.max(relative(p.u95, number(&e["u95"])));
+                    let band = student_t_95::<f64>(set.fit(estimator).degrees_of_freedom) * p.noise_std;
+                    u95 = u95.max(relative(band, number(&e["u95"])));
                 }
             }
             let expected = expected["coefficients"].as_array().unwrap();
@@ -116,7 +132,7 @@ fn the_fit_is_the_least_squares_solution() {
                 // Of a coefficient near zero the digits that count are those of its standard deviation.
                 let scale = number(&e["value"]).abs().max(number(&e["std"]));
                 coefficients = coefficients.max((c.value - number(&e["value"])).abs() / scale);
-                std = std.max(relative(c.std, number(&e["std"])));
+                std = std.max(relative(c.noise_std, number(&e["std"])));
             }
             println!(
                 "{name:7} {key:9} eps_xa {value:.1e} µrad; relative: band {u95:.1e}, coefficients {coefficients:.1e}, std {std:.1e}"
@@ -183,12 +199,13 @@ fn the_embedded_solver_gives_the_same_as_the_study() {
     for (((estimator, key), streamed), streamed_f32) in ESTIMATORS.into_iter().zip(streamed).zip(streamed_f32) {
         let whole = set.fit(estimator);
         let (_, curve) = set.report(estimator);
+        let t = student_t_95::<f64>(whole.degrees_of_freedom);
         let (mut f64s, mut f32s) = (0.0f64, 0.0f64);
         for point in &curve.points {
             let a = point.at.to_radians();
             let (value, std) = whole.function(&set.setup, set.eps_xa(), a);
             let [v, s, band] = streamed(a);
-            let differences = [(v - value) * 1e6, (s - std) * 1e6, band * 1e6 - point.u95];
+            let differences = [(v - value) * 1e6, (s - std) * 1e6, band * 1e6 - t * point.noise_std];
             f64s = differences.iter().fold(f64s, |m, d| m.max(d.abs()));
             let (v, s) = streamed_f32(a as f32);
             f32s = f32s.max((f64::from(v) - value).abs() * 1e6).max((f64::from(s) - std).abs() * 1e6);

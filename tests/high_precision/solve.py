@@ -11,7 +11,7 @@ import csv
 import json
 from pathlib import Path
 
-from mpmath import betainc, cos, findroot, matrix, mp, mpf, nstr, pi, sin, sqrt
+from mpmath import betainc, cos, findroot, floor, matrix, mp, mpf, nstr, pi, sin, sqrt
 
 mp.dps = 50
 HERE = Path(__file__).parent
@@ -27,6 +27,7 @@ def columns(file):
 
 
 def eps_basis(a):
+    a -= 2 * pi * floor(a / (2 * pi))  # what closes after a turn is that of the angle less whole turns
     return [a**4 - 2 * pi * a**3 - 2 * pi**2 * a**2 + 4 * pi**3 * a, a**3 - 3 * pi * a**2 + 2 * pi**2 * a]  # (10)
 
 

@@ -1,5 +1,6 @@
 //! The symbols of one model and what the normal form knows about them.
 
+use super::wrapped::WrappedAngle;
 use super::{AlgebraError, ErrorId, MAX_NOMINALS, NominalId, SweepId};
 use crate::quantity::Quantity;
 
@@ -18,6 +19,13 @@ pub enum Nominal {
     Sin(SweepId),
     /// Its cosine, with cos² = 1 − sin².
     Cos(SweepId),
+    /// An angle less whole turns: independent of the sweep, from which it differs by a constant that jumps.
+    Wrapped {
+        /// The angle and where its turn begins.
+        angle: WrappedAngle,
+        /// Its name.
+        name: String,
+    },
 }
 
 /// All symbols of one model. π and √2 are always there.
@@ -75,6 +83,20 @@ impl Alphabet {
         Ok(id)
     }
 
+    /// The symbol of a wrapped angle, made with the name if it is new.
+    pub fn wrapped(&mut self, angle: WrappedAngle, name: String) -> Result<NominalId, AlgebraError> {
+        match self.find_wrapped(angle) {
+            Some(id) => Ok(id),
+            None => self.add(Nominal::Wrapped { angle, name }),
+        }
+    }
+
+    /// The symbol of a wrapped angle, if a run has it.
+    pub fn find_wrapped(&self, wanted: WrappedAngle) -> Option<NominalId> {
+        let is = |n: &Nominal| matches!(n, Nominal::Wrapped { angle, .. } if *angle == wanted);
+        self.nominals.iter().position(is).map(|i| NominalId(i as u8))
+    }
+
     /// The sweep called `name`, if a run has it.
     pub fn find_sweep(&self, name: &str) -> Option<SweepId> {
         self.sweeps.iter().position(|s| s == name).map(|i| SweepId(i as u8))
@@ -130,6 +152,11 @@ impl Alphabet {
         &self.sweeps[usize::from(id.0)]
     }
 
+    /// All sweeps in the order they were made.
+    pub fn sweeps(&self) -> impl Iterator<Item = SweepId> {
+        (0..self.sweeps.len()).map(|i| SweepId(i as u8))
+    }
+
     /// The sweep's own symbol, its sine and its cosine.
     pub fn sweep_symbols(&self, id: SweepId) -> [NominalId; 3] {
         let first = self.nominals.iter().position(|n| *n == Nominal::Sweep(id)).unwrap_or(0) as u8;
@@ -138,8 +165,8 @@ impl Alphabet {
 
     /// Pairs (sine, cosine) of every sweep.
     pub(super) fn circles(&self) -> impl Iterator<Item = (NominalId, NominalId)> {
-        (0..self.sweeps.len()).map(|i| {
-            let [_, sin, cos] = self.sweep_symbols(SweepId(i as u8));
+        self.sweeps().map(|sweep| {
+            let [_, sin, cos] = self.sweep_symbols(sweep);
             (sin, cos)
         })
     }
@@ -149,19 +176,26 @@ impl Alphabet {
         matches!(self.nominal(id), Nominal::Pi | Nominal::Root2 | Nominal::Constant(_))
     }
 
-    /// Name of a nominal symbol in plain text: a single sweep has `s` and `c`, several have `s_a`, `c_a`, ….
+    /// Name of a nominal symbol in plain text: a single sweep has `s` and `c`, several have `s_a`, `c_a`, …; another
+    /// where the model calls something else so, at last `sin(a)` and `cos(a)`.
     pub fn nominal_name(&self, id: NominalId) -> String {
-        let short = self.sweeps.len() == 1 && !["s", "c"].contains(&self.sweeps[0].as_str());
-        let trig = |letter: &str, sweep: SweepId| {
-            if short { letter.to_owned() } else { format!("{letter}_{}", self.sweep_name(sweep)) }
+        let taken = |name: &str| {
+            self.find_constant(name).is_some() || self.find_sweep(name).is_some() || self.find_error(name).is_some()
+        };
+        let both_free = |end: &str| ["s", "c"].into_iter().all(|letter| !taken(&format!("{letter}{end}")));
+        let trig = |letter: &str, function: &str, sweep: SweepId| {
+            let sweep = self.sweep_name(sweep);
+            let ends = [String::new(), format!("_{sweep}")];
+            let mut free = ends.into_iter().skip(usize::from(self.sweeps.len() > 1)).filter(|end| both_free(end));
+            free.next().map_or_else(|| format!("{function}({sweep})"), |end| format!("{letter}{end}"))
         };
         match self.nominal(id) {
             Nominal::Pi => "pi".to_owned(),
             Nominal::Root2 => "sqrt(2)".to_owned(),
-            Nominal::Constant(name) => name.clone(),
+            Nominal::Constant(name) | Nominal::Wrapped { name, .. } => name.clone(),
             Nominal::Sweep(sweep) => self.sweep_name(*sweep).to_owned(),
-            Nominal::Sin(sweep) => trig("s", *sweep),
-            Nominal::Cos(sweep) => trig("c", *sweep),
+            Nominal::Sin(sweep) => trig("s", "sin", *sweep),
+            Nominal::Cos(sweep) => trig("c", "cos", *sweep),
         }
     }
 }

@@ -73,7 +73,7 @@ impl Fraction {
             for (root, part) in by_root2(&lifted) {
                 let quotient = divide(&part, &common)?.unwrap_or(part);
                 reduced.extend(
-                    quotient.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?.terms().iter().copied(),
+                    quotient.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?.terms().iter().cloned(),
                 );
             }
             numerator = Poly::from_terms(reduced)?.times(&Poly::term(lift, rational::integer(1)), Order::NOMINAL)?;
@@ -82,11 +82,11 @@ impl Fraction {
         match denominator.terms() {
             [] => Err(AlgebraError::DivisionByZero),
             [(m, c)] => {
-                let inverse = Poly::term(m.recip()?, rational::recip(c)?);
+                let inverse = Poly::term(m.recip()?, c.recip()?);
                 Ok(Self::whole(numerator.times(&inverse, Order::NOMINAL)?.normal(alphabet)?))
             }
             [.., (_, lead)] => {
-                let inverse = rational::recip(lead)?;
+                let inverse = lead.recip()?;
                 Ok(Self { numerator: numerator.scaled(&inverse)?, denominator: Some(denominator.scaled(&inverse)?) })
             }
         }
@@ -146,7 +146,7 @@ fn by_root2(p: &Poly) -> Vec<(Monomial, Poly)> {
 /// `p₀ − √2 p₁`
 fn conjugate(p: &Poly) -> Result<Poly, AlgebraError> {
     let sign = |m: &Monomial| if m.exponent(Alphabet::ROOT2) == 0 { 1 } else { -1 };
-    Poly::from_terms(p.terms().iter().map(|(m, c)| (*m, c * rational::integer(sign(m)))).collect())
+    Poly::from_terms(p.terms().iter().map(|(m, c)| (*m, c * &rational::integer(sign(m)))).collect())
 }
 
 #[cfg(test)]

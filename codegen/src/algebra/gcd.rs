@@ -9,10 +9,10 @@ use super::{AlgebraError, Monomial, NominalId, Order, Poly};
 /// `a / b` if it leaves no remainder.
 pub(super) fn divide(a: &Poly, b: &Poly) -> Result<Option<Poly>, AlgebraError> {
     let Some((lead, coefficient)) = b.terms().last() else { return Err(AlgebraError::DivisionByZero) };
-    let inverse = Poly::term(lead.recip()?, rational::recip(coefficient)?);
+    let inverse = Poly::term(lead.recip()?, coefficient.recip()?);
     let (mut rest, mut quotient) = (a.clone(), Vec::new());
-    while let Some(&(m, c)) = rest.terms().last() {
-        let step = Poly::term(m, c).times(&inverse, Order::NOMINAL)?;
+    while let Some((m, c)) = rest.terms().last() {
+        let step = Poly::term(*m, c.clone()).times(&inverse, Order::NOMINAL)?;
         if step.terms().iter().any(|(m, _)| m.powers().iter().any(|p| *p < 0)) {
             return Ok(None);
         }
@@ -69,7 +69,7 @@ fn content(p: &Poly, symbol: NominalId) -> Result<Poly, AlgebraError> {
         divisor = gcd(&divisor, &c)?;
     }
     if let Some((_, lead)) = divisor.terms().last() {
-        divisor = divisor.scaled(&rational::recip(lead)?)?;
+        divisor = divisor.scaled(&lead.recip()?)?;
     }
     divisor.scaled(&rational::content(p.terms().iter().map(|(_, c)| c)))
 }

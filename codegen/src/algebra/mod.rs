@@ -8,32 +8,36 @@ mod angle;
 mod elimination;
 mod fraction;
 mod gcd;
+mod harmonics;
 mod matrix;
 mod monomial;
 mod poly;
 mod rational;
 mod symbol;
+mod turn;
 mod value;
+mod wrapped;
 
 pub use crate::quantity::Quantity;
 pub use alphabet::{Alphabet, Nominal};
 pub use angle::Angle;
 pub use elimination::{Reduced, Row, reduce, subtract};
 pub use fraction::Fraction;
+pub use harmonics::{Harmonic, Harmonics};
 pub use matrix::{PolyVector, Transform};
 pub(crate) use matrix::{difference, dot};
 pub use monomial::{MAX_ERROR_ORDER, MAX_NOMINALS, Monomial, Powers};
 pub use poly::{Order, Poly, Term};
 pub use rational::{Rational, integer, to_f64};
 pub use symbol::{ErrorId, NominalId, SweepId};
-pub use value::{at, nominal_value};
+pub use turn::Turned;
+pub use value::{at, nominal_value, wrapped_value};
+pub use wrapped::WrappedAngle;
 
 /// Why an exact computation could not be carried out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AlgebraError {
-    /// A rational coefficient left the range of 126-bit numerators and denominators.
-    CoefficientOverflow,
     /// The exponent of a nominal symbol left −127…127.
     ExponentOverflow,
     /// A divisor was zero.
@@ -49,9 +53,6 @@ pub enum AlgebraError {
 impl core::fmt::Display for AlgebraError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let text = match self {
-            Self::CoefficientOverflow => {
-                "a coefficient no longer fits 126 bits; the derivation stops rather than round"
-            }
             Self::ExponentOverflow => "an exponent left -127..127",
             Self::DivisionByZero => "division by zero",
             Self::TooManyNominals => "more than 16 constants, sweeps, sines and cosines in one model",

@@ -54,7 +54,7 @@ impl Poly {
 
     /// A single term.
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
-        if *coefficient.numer() == 0 { Self::ZERO } else { Self { terms: vec![(monomial, coefficient)] } }
+        if coefficient.is_zero() { Self::ZERO } else { Self { terms: vec![(monomial, coefficient)] } }
     }
 
     /// A nominal symbol.
@@ -74,15 +74,15 @@ impl Poly {
             let mut kept = 0;
             for i in 1..terms.len() {
                 if terms[kept].0 == terms[i].0 {
-                    terms[kept].1 = rational::add(&terms[kept].1, &terms[i].1)?;
+                    terms[kept].1 = &terms[kept].1 + &terms[i].1;
                 } else {
                     kept += 1;
-                    terms[kept] = terms[i];
+                    terms.swap(kept, i);
                 }
             }
             terms.truncate(kept + 1);
         }
-        terms.retain(|t| *t.1.numer() != 0);
+        terms.retain(|t| !t.1.is_zero());
         Ok(Self { terms })
     }
 
@@ -108,7 +108,7 @@ impl Poly {
     pub fn as_number(&self) -> Option<Rational> {
         match self.terms.as_slice() {
             [] => Some(integer(0)),
-            [(m, c)] if *m == Monomial::ONE => Some(*c),
+            [(m, c)] if *m == Monomial::ONE => Some(c.clone()),
             _ => None,
         }
     }
@@ -120,16 +120,16 @@ impl Poly {
         loop {
             match (a.peek(), b.peek()) {
                 (Some(x), Some(y)) if x.0 == y.0 => {
-                    let sum = rational::add(&x.1, &y.1)?;
-                    if *sum.numer() != 0 {
+                    let sum = &x.1 + &y.1;
+                    if !sum.is_zero() {
                         terms.push((x.0, sum));
                     }
                     a.next();
                     b.next();
                 }
-                (Some(x), Some(y)) if x.0 < y.0 => terms.extend(a.next()),
-                (_, Some(_)) => terms.extend(b.next()),
-                (Some(_), None) => terms.extend(a.next()),
+                (Some(x), Some(y)) if x.0 < y.0 => terms.extend(a.next().cloned()),
+                (_, Some(_)) => terms.extend(b.next().cloned()),
+                (Some(_), None) => terms.extend(a.next().cloned()),
                 (None, None) => return Ok(Self { terms }),
             }
         }
@@ -147,11 +147,10 @@ impl Poly {
 
     /// Product with a number.
     pub fn scaled(&self, factor: &Rational) -> Result<Self, AlgebraError> {
-        if *factor.numer() == 0 {
+        if factor.is_zero() {
             return Ok(Self::ZERO);
         }
-        let scale = |(m, c): &Term| Ok((*m, rational::mul(c, factor)?));
-        Ok(Self { terms: self.terms.iter().map(scale).collect::<Result<_, _>>()? })
+        Ok(Self { terms: self.terms.iter().map(|(m, c)| (*m, c * factor)).collect() })
     }
 
     /// Appends the terms of `self · other` up to `order` errors to `out`, unsorted: the inner loop of every 4×4 product.
@@ -159,7 +158,7 @@ impl Poly {
         for (ma, ca) in &self.terms {
             for (mb, cb) in &other.terms {
                 if let Some(m) = ma.times(mb, order.get())? {
-                    out.push((m, rational::mul(ca, cb)?));
+                    out.push((m, ca * cb));
                 }
             }
         }
@@ -189,8 +188,8 @@ impl Poly {
                     if reducible(&m) {
                         let lower = m.with_exponent(cos, m.exponent(cos) - 2);
                         let sin2 = lower.times(&Monomial::nominal(sin, 2), MAX_ERROR_ORDER)?;
+                        terms.extend(sin2.map(|m| (m, -&c)));
                         terms.push((lower, c));
-                        terms.extend(sin2.map(|m| (m, -c)));
                     } else {
                         terms.push((m, c));
                     }
@@ -201,7 +200,8 @@ impl Poly {
         Ok(p)
     }
 
-    fn normal_root2(&self) -> Result<Self, AlgebraError> {
+    /// √2² = 2 put in, and nothing else.
+    pub(crate) fn normal_root2(&self) -> Result<Self, AlgebraError> {
         let root2 = Alphabet::ROOT2;
         if self.terms.iter().all(|(m, _)| matches!(m.exponent(root2), 0 | 1)) {
             return Ok(self.clone());
@@ -209,14 +209,14 @@ impl Poly {
         let reduce = |(m, c): &Term| {
             let exponent = m.exponent(root2);
             let twos = rational::power_of_two(exponent.div_euclid(2));
-            Ok((m.with_exponent(root2, exponent.rem_euclid(2)), rational::mul(c, &twos)?))
+            (m.with_exponent(root2, exponent.rem_euclid(2)), c * &twos)
         };
-        Self::from_terms(self.terms.iter().map(reduce).collect::<Result<_, _>>()?)
+        Self::from_terms(self.terms.iter().map(reduce).collect())
     }
 
     /// The terms with exactly `order` errors.
     pub fn of_order(&self, order: usize) -> Self {
-        Self { terms: self.terms.iter().filter(|(m, _)| m.order() == order).copied().collect() }
+        Self { terms: self.terms.iter().filter(|(m, _)| m.order() == order).cloned().collect() }
     }
 
     /// Splits by errors: each product of errors with its nominal coefficient, in ascending order.
@@ -230,7 +230,7 @@ impl Poly {
         key: impl Fn(&Monomial) -> Monomial,
         rest: impl Fn(&Monomial) -> Monomial,
     ) -> Vec<(Monomial, Poly)> {
-        let mut terms: Vec<(Monomial, Term)> = self.terms.iter().map(|(m, c)| (key(m), (rest(m), *c))).collect();
+        let mut terms: Vec<(Monomial, Term)> = self.terms.iter().map(|(m, c)| (key(m), (rest(m), c.clone()))).collect();
         terms.sort_unstable_by_key(|t| (t.0, t.1.0));
         let mut groups: Vec<(Monomial, Poly)> = Vec::new();
         for (k, term) in terms {

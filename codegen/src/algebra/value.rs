@@ -1,10 +1,19 @@
 //! Numbers for symbols: what a polynomial is at a value of its sweep.
 
-use super::{Alphabet, Nominal, NominalId, Poly};
+use super::{Alphabet, Harmonic, Harmonics, Nominal, NominalId, Poly};
 
 /// Value of a polynomial along a path: the sweep's value in rad, the constants in mm.
 pub fn at(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
-    poly.evaluate(|id| nominal_value(id, alphabet, sweep, &constant), |_| 0.0)
+    value(poly, alphabet, sweep, &constant)
+}
+
+fn value(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: &dyn Fn(&str) -> f64) -> f64 {
+    let Some(harmonics) = Harmonics::of(poly, alphabet) else {
+        return poly.evaluate(|id| nominal_value(id, alphabet, sweep, constant), |_| 0.0);
+    };
+    let product =
+        |(harmonic, factor): &(Harmonic, Poly)| harmonic.value(sweep) * value(factor, alphabet, sweep, constant);
+    harmonics.terms.iter().map(product).sum()
 }
 
 /// Value of a nominal symbol along a path.
@@ -16,5 +25,12 @@ pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: i
         Nominal::Sweep(_) => sweep,
         Nominal::Sin(_) => sweep.sin(),
         Nominal::Cos(_) => sweep.cos(),
+        Nominal::Wrapped { angle, .. } => wrapped_value(f64::from(angle.multiple) * sweep, angle.start),
     }
+}
+
+/// An angle less whole turns, in `start · π/12` and a turn from there, rad.
+pub fn wrapped_value(angle: f64, start: i32) -> f64 {
+    let start = f64::from(start) * core::f64::consts::PI / 12.0;
+    angle - core::f64::consts::TAU * ((angle - start) / core::f64::consts::TAU).floor()
 }

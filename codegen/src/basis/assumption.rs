@@ -2,7 +2,7 @@
 
 use super::function::{Arithmetic, BasisFunction};
 use super::{Coordinate, Univariate};
-use crate::algebra::{AlgebraError, Alphabet, Angle, Poly};
+use crate::algebra::{AlgebraError, Alphabet, Angle, Poly, Turned, wrapped_value};
 use crate::ids::TermId;
 use typed_index_collections::{TiSlice, TiVec};
 
@@ -14,7 +14,19 @@ pub enum Basis {
     /// Given as data from another measurement.
     Known,
     /// A sum of functions of the coordinate with unknown coefficients.
-    Functions(TiVec<TermId, BasisFunction>),
+    Functions(Functions),
+}
+
+/// Functions of a coordinate.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Functions {
+    /// The functions.
+    pub terms: TiVec<TermId, BasisFunction>,
+    /// Where their turn begins, in steps of 15°, of polynomials whose conditions make them periodic: they are functions of the
+    /// angle less whole turns.
+    pub turn_from: Option<i32>,
+    /// The coordinates at which they satisfy conditions.
+    pub points: Vec<Poly>,
 }
 
 impl Basis {
@@ -25,20 +37,32 @@ impl Basis {
 
     /// Polynomials of the coordinate.
     pub fn polynomials(functions: impl IntoIterator<Item = Univariate>) -> Self {
-        Self::Functions(functions.into_iter().map(BasisFunction::Polynomial).collect())
+        let terms = functions.into_iter().map(BasisFunction::Polynomial).collect();
+        Self::Functions(Functions { terms, ..Functions::default() })
     }
 
     /// `Σ cₖ cos kx + sₖ sin kx`, k = 1…n, of a rotary axis; a constant belongs to the location errors.
     pub fn fourier(harmonics: u8) -> Self {
-        Self::Functions((1..=harmonics).flat_map(|k| [BasisFunction::Cosine(k), BasisFunction::Sine(k)]).collect())
+        let terms = (1..=harmonics).flat_map(|k| [BasisFunction::Cosine(k), BasisFunction::Sine(k)]).collect();
+        Self::Functions(Functions { terms, ..Functions::default() })
     }
 
     /// The functions whose coefficients are unknown.
     pub fn functions(&self) -> &TiSlice<TermId, BasisFunction> {
         match self {
             Self::Zero | Self::Known => TiSlice::from_ref(&[]),
-            Self::Functions(functions) => functions,
+            Self::Functions(functions) => &functions.terms,
         }
+    }
+
+    /// Where the turn of a periodic polynomial basis begins, in steps of 15°.
+    pub fn turn_from(&self) -> Option<i32> {
+        if let Self::Functions(functions) = self { functions.turn_from } else { None }
+    }
+
+    /// The coordinates at which the functions satisfy conditions.
+    pub fn points(&self) -> &[Poly] {
+        if let Self::Functions(functions) = self { &functions.points } else { &[] }
     }
 
     /// Suffixes of the coefficients' names: `1`, `2`, … or `_cos1`, `_sin1`, ….
@@ -56,11 +80,17 @@ impl Basis {
             Coordinate::Linear(x) => (x, None),
             Coordinate::Rotary(angle) => (&angle.poly, Some(angle)),
         };
+        let turned = match (self.turn_from(), angle) {
+            (Some(start), Some(angle)) => Some(Turned::new(angle, start).poly(angle, alphabet)?),
+            _ => None,
+        };
+        let x = turned.as_ref().unwrap_or(x);
         self.functions().iter().map(|f| f.of(&mut Along { x, angle, alphabet })).collect()
     }
 
     /// The functions' values at a coordinate (mm or rad).
     pub fn values(&self, x: f64, alphabet: &Alphabet, constant: &impl Fn(&str) -> f64) -> TiVec<TermId, f64> {
+        let x = self.turn_from().map_or(x, |start| wrapped_value(x, start));
         self.functions().iter().map(|f| f.of(&mut At { x, alphabet, constant })).collect()
     }
 }

@@ -6,7 +6,7 @@ mod coordinate;
 mod function;
 mod univariate;
 
-pub use assumption::Basis;
+pub use assumption::{Basis, Functions};
 pub use conditions::{LinearCondition, NoBasis, satisfying};
 pub use coordinate::Coordinate;
 pub use function::{Arithmetic, BasisFunction};

@@ -171,6 +171,7 @@ fn cost(count: &Operations) -> String {
         (count.additions, "addition", "additions"),
         (count.divisions, "division", "divisions"),
         (count.roots, "square root", "square roots"),
+        (count.floors, "rounding", "roundings"),
         (count.angles, "sine and cosine", "sines and cosines"),
     ];
     let counts = kinds.into_iter().filter(|(n, ..)| *n > 0);

@@ -1,5 +1,8 @@
 //! What languages with infix operators and no macros have in common.
 
+use num_bigint::BigInt;
+use num_traits::{ToPrimitive, Zero};
+
 use crate::graph::{Constant, Program, Rational, Step, Value, to_f64};
 
 use super::layout::{WIDTH, terms};
@@ -23,11 +26,11 @@ pub(super) fn decimal(r: &Rational) -> String {
 /// Numerator and denominator of a constant that has no short decimal but is the quotient of two numbers that a compiler
 /// reads exactly.
 pub(super) fn quotient(r: &Rational) -> Option<[f64; 2]> {
-    let exact = |n: i128| n.unsigned_abs() <= 1 << 53;
-    let (numer, denom) = (*r.numer(), *r.denom());
+    let exact = |n: &BigInt| n.bits() <= u64::from(f64::MANTISSA_DIGITS);
+    let (numer, denom) = (r.numer(), r.denom());
     // A millionth, and so what divides it, has a decimal of few digits.
-    let short = denom > 0 && 1_000_000 % denom == 0;
-    (!short && exact(numer) && exact(denom)).then_some([numer as f64, denom as f64])
+    let short = (BigInt::from(1_000_000) % &denom).is_zero();
+    (!short && exact(&numer) && exact(&denom)).then_some([numer.to_f64()?, denom.to_f64()?])
 }
 
 /// How tightly the operators around a place bind what stands there.
@@ -49,7 +52,7 @@ pub(super) fn operator(step: Step) -> Option<(Binding, Binding, char)> {
         Step::Mul(..) => (Binding::Product, Binding::Operand, '*'),
         Step::Div(..) => (Binding::Product, Binding::Operand, '/'),
         Step::Neg(_) => (Binding::Sum, Binding::Operand, '-'),
-        Step::Sqrt(_) | Step::Sin(_) | Step::Cos(_) => return None,
+        Step::Sqrt(_) | Step::Sin(_) | Step::Cos(_) | Step::Floor(_) => return None,
     })
 }
 
@@ -128,6 +131,7 @@ impl<D: Dialect> Infix<'_, D> {
         let name = match step {
             Step::Sin(_) => "sin",
             Step::Cos(_) => "cos",
+            Step::Floor(_) => "floor",
             _ => "sqrt",
         };
         *text += &self.dialect.function(name);

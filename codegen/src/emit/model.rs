@@ -1,12 +1,14 @@
 //! A derivation as functions to compile or to evaluate: one per run, one per estimated function.
 
+use super::equations::{Style, extent};
 use super::function::{Function, Input, Output};
-use crate::algebra::{Alphabet, Fraction, Nominal, NominalId, Poly};
-use crate::basis::{Arithmetic, Univariate};
-use crate::graph::{Graph, Id, Symbol, Unbound};
-use crate::identify::{Coefficient, Derivation};
+use crate::algebra::{Alphabet, Fraction, Harmonic, Harmonics, Nominal, NominalId, Poly};
+use crate::basis::{Arithmetic, Basis, Univariate};
+use crate::graph::{Graph, Id, Rational, Symbol, Unbound};
+use crate::identify::{Derivation, Determination};
 use crate::ids::{BaseId, FunctionId, RunId, TermId};
-use crate::model::{AxisKind, Model, ReadingKind};
+use crate::model::{AxisKind, ErrorFunction, Model, ReadingKind};
+use typed_index_collections::TiVec;
 
 /// What one run's samples become: inputs are the lengths of the set-up and the sweep, outputs the regressors in the order of
 /// [`crate::identify::DerivedRun::regressors`], then the coefficients of the known functions.
@@ -45,11 +47,12 @@ pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Functio
 pub struct EstimatedFunction {
     /// Which it is.
     pub function: FunctionId,
-    /// Its basis at a coordinate: inputs are the lengths of the set-up and the coordinate, mm or rad.
+    /// What the base parameters are multiplied with at a coordinate: inputs are the lengths of the set-up and the coordinate,
+    /// mm or rad.
     pub basis: Function,
-    /// The base parameters that are the coefficients, in the order of the basis; `None` where a coefficient is not among
-    /// them, so that what is estimated gives no value.
-    pub coefficients: Option<Vec<BaseId>>,
+    /// The base parameters that its value, or the sum it is seen in, consists of, in the order of the basis: none where it is
+    /// not seen.
+    pub base: Vec<BaseId>,
 }
 
 /// The estimated functions of a model.
@@ -57,30 +60,45 @@ pub struct EstimatedFunction {
 /// # Errors
 /// A basis depends on a symbol other than a length or the coordinate: a defect of the description.
 pub fn estimated(model: &Model, derivation: &Derivation) -> Result<Vec<EstimatedFunction>, Unbound> {
-    let functions = model.functions.keys().filter(|id| model.functions[*id].estimate);
-    let one = |function: FunctionId| {
-        let carries = |term: TermId| {
-            let own = Some(Coefficient { function, term });
-            derivation.base.position(|b| b.estimates == own)
-        };
-        Some(basis(model, function)?.map(|basis| {
-            let coefficients = (0..basis.elements.len()).map(|k| carries(TermId::from(k))).collect();
-            EstimatedFunction { function, basis, coefficients }
-        }))
+    let one = |determination: &Determination| {
+        let mut base: Vec<BaseId> = determination.seen.iter().flat_map(|s| s.base.iter().map(|(b, _)| *b)).collect();
+        base.sort_unstable();
+        base.dedup();
+        let basis = basis(model, derivation, determination, &base)?;
+        Some(basis.map(|basis| EstimatedFunction { function: determination.function, basis, base }))
     };
-    functions.filter_map(one).collect()
+    derivation.functions.iter().filter_map(one).collect()
 }
 
-/// The basis of an estimated function at a coordinate; `None` if it has none.
-fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unbound>> {
-    let f = &model.functions[function];
+/// What each of `base` is multiplied with at a coordinate: `Σ factor · function of the basis`; `None` if none is.
+fn basis(
+    model: &Model,
+    derivation: &Derivation,
+    determination: &Determination,
+    base: &[BaseId],
+) -> Option<Result<Function, Unbound>> {
+    let f = &model.functions[determination.function];
     let name = model.alphabet.error_name(f.error);
     let (axis, _) = model.axis_of(f.error)?;
     let axis = model.axis(axis)?;
     let mut graph = Graph::new();
     let x = graph.symbol(Symbol::Coordinate);
+    let x = f.basis.turn_from().map_or(x, |start| graph.wrapped(x, start));
     let mut lowering = Lowering { graph: &mut graph, alphabet: &model.alphabet, x };
-    let values: Vec<Id> = f.basis.functions().iter().map(|f| f.of(&mut lowering)).collect();
+    let values: TiVec<TermId, Id> = f.basis.functions().iter().map(|f| f.of(&mut lowering)).collect();
+    let of = |graph: &mut Graph, b: &BaseId| {
+        let factors = determination.seen.iter().filter_map(|s| {
+            let (_, factor) = s.base.iter().find(|(id, _)| id == b)?;
+            Some((s.term, factor))
+        });
+        let products = factors.map(|(term, factor)| {
+            let factor = fraction(graph, &model.alphabet, factor);
+            graph.product(&[factor, values[term]])
+        });
+        let products: Vec<Id> = products.collect();
+        graph.sum(&products)
+    };
+    let values: Vec<Id> = base.iter().map(|b| of(&mut graph, b)).collect();
     if values.is_empty() {
         return None;
     }
@@ -88,10 +106,22 @@ fn basis(model: &Model, function: FunctionId) -> Option<Result<Function, Unbound
     let mut inputs = lengths(model);
     let meaning = format!("coordinate of axis {}, {unit}", axis.name);
     inputs.push(Input::new(Symbol::Coordinate, &axis.name.to_lowercase(), &meaning));
-    let names = f.basis.suffixes().map(|s| format!("{name}{s}"));
+    let names = base.iter().map(|b| derivation.base[*b].name.as_str());
     let outputs = [Output::array("basis", &names.zip(values).collect::<Vec<_>>())];
-    let doc = format!("Basis of the function `{name}`: its value is the sum of these times their coefficients.");
-    Some(Function::new(&graph, name, &[&doc], inputs, &outputs))
+    let doc = format!("Basis of the function `{name}`: the sum of these times their base parameters.");
+    let told = extent(model, derivation, determination, Style::Plain);
+    let told = format!("`{name}` is {told}.");
+    Some(Function::new(&graph, name, &[&doc, &told], inputs, &outputs))
+}
+
+/// Sine or cosine of a multiple of the angle `x`.
+fn multiple(graph: &mut Graph, harmonic: Harmonic, x: Id) -> Id {
+    let (Harmonic::Cosine(k) | Harmonic::Sine(k)) = harmonic;
+    let angle = graph.linear(&[(Rational::from(i128::from(k)), x)]);
+    match harmonic {
+        Harmonic::Cosine(_) => graph.cos(angle),
+        Harmonic::Sine(_) => graph.sin(angle),
+    }
 }
 
 /// Functions of the coordinate `x` as nodes of a graph.
@@ -99,13 +129,6 @@ struct Lowering<'a> {
     graph: &'a mut Graph,
     alphabet: &'a Alphabet,
     x: Id,
-}
-
-impl Lowering<'_> {
-    fn multiple(&mut self, k: u8) -> Id {
-        let k = self.graph.integer(k.into());
-        self.graph.product(&[k, self.x])
-    }
 }
 
 impl Arithmetic for Lowering<'_> {
@@ -120,13 +143,11 @@ impl Arithmetic for Lowering<'_> {
     }
 
     fn cosine(&mut self, multiple: u8) -> Id {
-        let angle = self.multiple(multiple);
-        self.graph.cos(angle)
+        self::multiple(self.graph, Harmonic::Cosine(multiple), self.x)
     }
 
     fn sine(&mut self, multiple: u8) -> Id {
-        let angle = self.multiple(multiple);
-        self.graph.sin(angle)
+        self::multiple(self.graph, Harmonic::Sine(multiple), self.x)
     }
 }
 
@@ -154,9 +175,14 @@ fn lengths(model: &Model) -> Vec<Input> {
     model.alphabet.nominals().filter_map(input).collect()
 }
 
-/// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`.
+/// The name a known function has in a table: `dya` for `d_ya`, `EYA` for `EYA`; in full where two would have the same.
 pub fn known_name(model: &Model, function: FunctionId) -> String {
-    model.alphabet.error_name(model.functions[function].error).replace('_', "")
+    let full = |f: &ErrorFunction| model.alphabet.error_name(f.error);
+    let name = full(&model.functions[function]);
+    let short = name.replace('_', "");
+    let known = model.functions.iter().filter(|f| f.basis == Basis::Known);
+    let same = known.filter(|f| full(f).replace('_', "") == short).count();
+    if same > 1 { name.to_owned() } else { short }
 }
 
 fn fraction(graph: &mut Graph, alphabet: &Alphabet, f: &Fraction) -> Id {
@@ -172,6 +198,16 @@ fn fraction(graph: &mut Graph, alphabet: &Alphabet, f: &Fraction) -> Id {
 
 /// A polynomial without errors as an expression of the constants and the sweeps.
 pub fn poly(graph: &mut Graph, alphabet: &Alphabet, p: &Poly) -> Id {
+    if let Some(harmonics) = Harmonics::of(p, alphabet) {
+        let sweep = graph.symbol(Symbol::Nominal(alphabet.sweep_symbols(harmonics.sweep)[0]));
+        let product = |(harmonic, factor): &(Harmonic, Poly)| {
+            let factor = poly(graph, alphabet, factor);
+            let harmonic = multiple(graph, *harmonic, sweep);
+            graph.product(&[harmonic, factor])
+        };
+        let products: Vec<Id> = harmonics.terms.iter().map(product).collect();
+        return graph.sum(&products);
+    }
     let mut terms = Vec::with_capacity(p.terms().len());
     for (m, c) in p.terms() {
         let mut factors = Vec::new();
@@ -180,7 +216,7 @@ pub fn poly(graph: &mut Graph, alphabet: &Alphabet, p: &Poly) -> Id {
                 factors.push((nominal(graph, alphabet, id), i32::from(m.exponent(id))));
             }
         }
-        terms.push(graph.monomial(*c, &factors));
+        terms.push(graph.monomial(c.clone(), &factors));
     }
     graph.sum(&terms)
 }
@@ -191,6 +227,11 @@ fn nominal(graph: &mut Graph, alphabet: &Alphabet, id: NominalId) -> Id {
         Nominal::Pi => Id::PI,
         Nominal::Root2 => Id::SQRT_2,
         Nominal::Constant(_) | Nominal::Sweep(_) => graph.symbol(Symbol::Nominal(id)),
+        Nominal::Wrapped { angle, .. } => {
+            let sweep = sweep(angle.sweep);
+            let turned = graph.monomial(Rational::from(i128::from(angle.multiple)), &[(sweep, 1)]);
+            graph.wrapped(turned, angle.start)
+        }
         Nominal::Sin(of) => {
             let angle = sweep(*of);
             graph.sin(angle)

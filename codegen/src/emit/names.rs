@@ -1,5 +1,6 @@
 //! Names that a language allows, no two alike in one scope.
 
+use num_traits::One;
 use rustc_hash::FxHashSet;
 
 use crate::graph::{Constant, Step, Value};
@@ -102,12 +103,17 @@ impl Names {
     }
 }
 
+/// A rational is called by its digits, where they are few.
 fn constant_name(constant: &Constant) -> String {
+    const MOST: usize = 32;
     match constant {
         Constant::Pi => "pi".to_owned(),
         Constant::Sqrt2 => "sqrt_2".to_owned(),
-        Constant::Rational(r) if r.is_integer() => format!("n{}", r.numer()),
-        Constant::Rational(r) => format!("n{}_{}", r.numer(), r.denom()),
+        Constant::Rational(r) => {
+            let (numer, denom) = (r.numer(), r.denom());
+            let name = if denom.is_one() { format!("n{numer}") } else { format!("n{numer}_{denom}") };
+            if name.len() > MOST { "n".to_owned() } else { name }
+        }
     }
 }
 

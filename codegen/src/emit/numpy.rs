@@ -95,6 +95,7 @@ struct NumPy;
 impl Dialect for NumPy {
     fn constant(&self, constant: &Constant) -> String {
         match constant {
+            Constant::Rational(_) if constant.value().is_infinite() => "np.inf".to_owned(),
             Constant::Rational(r) => decimal(r),
             Constant::Pi => "np.pi".to_owned(),
             Constant::Sqrt2 => "1.4142135623730951".to_owned(),

@@ -34,6 +34,23 @@ fn awkward_names() {
     assert_snapshot!([rust, c::function(&f, c::Precision::Float), numpy::function(&f)].join("\n"));
 }
 
+/// A literal beyond the range would not compile, or end the printing.
+#[test]
+fn constants_beyond_the_range_of_numbers_are_infinite() {
+    let mut g = Graph::new();
+    let [x] = g.inputs();
+    let large = Rational::from(i128::MAX);
+    let huge = (0..8).fold(large.clone(), |power, _| &power * &large);
+    let out = [g.monomial(large, &[(x, 1)]), g.monomial(huge, &[(x, 1)])].map(|id| ("y", id));
+    let f = Function::new(&g, "f", &[], Input::all(&["x"]), &[Output::array("y", &out)]).unwrap();
+    let rust = rust::source(std::slice::from_ref(&f), "a test", &rust::Support::of_solver());
+    assert!(rust.contains("let n_2 = T::of(f64::INFINITY)"), "{rust}");
+    assert!(c::function(&f, c::Precision::Double).contains("HUGE_VAL * x"));
+    let float = c::function(&f, c::Precision::Float);
+    assert!(float.contains("HUGE_VALF * x") && float.contains("1.7014118346046923e38f"), "{float}");
+    assert!(numpy::function(&f).contains("np.inf * x"));
+}
+
 #[test]
 fn long_sums_are_cut_into_lines() {
     let mut g = Graph::new();

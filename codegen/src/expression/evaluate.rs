@@ -61,12 +61,12 @@ impl Scope<'_> {
             ExprKind::Number(n, d) => Ok(Poly::constant(Rational::new(*n, *d))),
             ExprKind::Name(name) => self.name(name).ok_or_else(|| (e.span.clone(), Meaning::UnknownName(name.clone()))),
             ExprKind::Negative(x) => Ok(self.poly(x)?.negated()),
-            ExprKind::Binary(Operator::Power, x, n) => match self.poly(n)?.as_number() {
-                Some(n) if n.is_integer() && (0..=20).contains(n.numer()) => {
-                    exact(self.poly(x)?.power(*n.numer() as u32, Order::NOMINAL))
+            ExprKind::Binary(Operator::Power, x, n) => {
+                match self.poly(n)?.as_number().and_then(|n| n.to_integer()).map(u32::try_from) {
+                    Some(Ok(n)) if n <= 20 => exact(self.poly(x)?.power(n, Order::NOMINAL)),
+                    _ => Err((n.span.clone(), Meaning::Exponent)),
                 }
-                _ => Err((n.span.clone(), Meaning::Exponent)),
-            },
+            }
             ExprKind::Binary(operator, x, y) => {
                 let (x, divisor, y) = (self.poly(x)?, &y.span, self.poly(y)?);
                 match operator {
@@ -74,7 +74,10 @@ impl Scope<'_> {
                     Operator::Minus => exact(x.minus(&y)),
                     Operator::Over => match y.terms() {
                         [] => Err((divisor.clone(), Meaning::Algebra(AlgebraError::DivisionByZero))),
-                        [(m, c)] => exact(m.recip().and_then(|m| x.times(&Poly::term(m, c.recip()), Order::NOMINAL))),
+                        [(m, c)] => {
+                            let over = m.recip().and_then(|m| Ok(Poly::term(m, c.recip()?)));
+                            exact(over.and_then(|over| x.times(&over, Order::NOMINAL)))
+                        }
                         _ => Err((divisor.clone(), Meaning::Divisor)),
                     },
                     _ => exact(x.times(&y, Order::NOMINAL)),
@@ -117,13 +120,13 @@ impl Scope<'_> {
     fn as_angle(&self, poly: Poly) -> Option<Angle> {
         let mut angle = Angle { sweep: None, eighths: 0, poly: Poly::ZERO };
         let whole =
-            |c: Rational| c.is_integer().then(|| i32::try_from(*c.numer()).ok()).flatten().filter(|n| n.abs() <= 64);
+            |c: &Rational| c.to_integer().and_then(|n| i32::try_from(n).ok()).filter(|n| n.unsigned_abs() <= 64);
         for (m, c) in poly.terms() {
             if *m == Monomial::nominal(Alphabet::PI, 1) {
-                angle.eighths = whole(c * Rational::from(4))?;
+                angle.eighths = whole(&(c * &Rational::from(4)))?;
             } else {
                 let sweep = self.sweep.filter(|&s| *m == Monomial::nominal(self.alphabet.sweep_symbols(s)[0], 1))?;
-                angle.sweep = Some((sweep, whole(*c)?));
+                angle.sweep = Some((sweep, whole(c)?));
             }
         }
         Some(Angle { poly, ..angle })
@@ -132,11 +135,12 @@ impl Scope<'_> {
 
 /// √(n/d) as a rational or a rational times √2.
 fn root(square: Rational) -> Option<Poly> {
-    let perfect = |n: i128| (n >= 0).then(|| n.unsigned_abs().isqrt() as i128).filter(|r| r * r == n);
-    let rational = |r: Rational| Some(Rational::new(perfect(*r.numer())?, perfect(*r.denom())?));
-    match rational(square) {
+    match square.sqrt() {
         Some(r) => Some(Poly::constant(r)),
-        None => rational(square / Rational::from(2)).map(|r| Poly::term(Monomial::nominal(Alphabet::ROOT2, 1), r)),
+        None => {
+            let half = &square * &Rational::new(1, 2);
+            half.sqrt().map(|r| Poly::term(Monomial::nominal(Alphabet::ROOT2, 1), r))
+        }
     }
 }
 

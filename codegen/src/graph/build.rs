@@ -1,11 +1,10 @@
 //! Building sums and products in normal form.
 
 use indexmap::IndexSet;
-use num_traits::{One, Zero};
 use rustc_hash::FxBuildHasher;
 
+use super::Rational;
 use super::node::{Addend, Id, Node, Power, Symbol};
-use super::rational::{self, Rational};
 
 /// Owns expressions; an equal expression is stored once.
 ///
@@ -18,7 +17,7 @@ pub struct Graph {
 
 impl Default for Graph {
     fn default() -> Self {
-        let named = [Node::Rational(Rational::zero()), Node::Rational(Rational::one()), Node::Pi, Node::Sqrt2];
+        let named = [Node::Rational(Rational::ZERO), Node::Rational(Rational::ONE), Node::Pi, Node::Sqrt2];
         Graph { nodes: named.into_iter().collect() }
     }
 }
@@ -67,46 +66,29 @@ impl Graph {
         core::array::from_fn(|at| self.symbol(Symbol::Input(at as u32)))
     }
 
-    /// An exact constant. One with a zero denominator becomes the undefined `1/0`, which evaluates to infinity.
+    /// An exact constant.
     pub fn rational(&mut self, value: Rational) -> Id {
-        if let Some(value) = rational::reduced(value) {
-            return self.intern(Node::Rational(value));
-        }
-        if value.denom().is_zero() {
-            return self.intern(Node::Product(Rational::one(), [Power { base: Id::ZERO, exponent: -1 }].into()));
-        }
-        // −2¹²⁷ has no negative, so it stays a product: n/d with n = 2·(n/2).
-        let half = |n: i128| Rational::from_integer(n / 2);
-        let [numer, numer_rest, denom, denom_rest] = [
-            half(*value.numer()),
-            Rational::from_integer(*value.numer() % 2),
-            half(*value.denom()),
-            Rational::from_integer(*value.denom() % 2),
-        ]
-        .map(|part| self.intern(Node::Rational(part)));
-        let numer = self.sum(&[numer, numer, numer_rest]);
-        let denom = self.sum(&[denom, denom, denom_rest]);
-        self.quotient(numer, denom)
+        self.intern(Node::Rational(value))
     }
 
     /// A whole constant.
     pub fn integer(&mut self, value: i128) -> Id {
-        self.rational(Rational::from_integer(value))
+        self.rational(Rational::from(value))
     }
 
     /// Σ terms.
     pub fn sum(&mut self, terms: &[Id]) -> Id {
-        self.collect_sum(terms.iter().map(|&term| (Rational::one(), term)))
+        self.collect_sum(terms.iter().map(|&term| (Rational::ONE, term)))
     }
 
     /// Σ coefficient · term.
     pub fn linear(&mut self, terms: &[(Rational, Id)]) -> Id {
-        self.collect_sum(terms.iter().copied())
+        self.collect_sum(terms.iter().cloned())
     }
 
     /// Π factors.
     pub fn product(&mut self, factors: &[Id]) -> Id {
-        self.collect_product(Rational::one(), factors.iter().map(|&base| (base, 1)))
+        self.collect_product(Rational::ONE, factors.iter().map(|&base| (base, 1)))
     }
 
     /// coefficient · Π base^exponent.
@@ -116,22 +98,22 @@ impl Graph {
 
     /// base^exponent; a negative exponent divides, and 0⁰ is 1.
     pub fn power(&mut self, base: Id, exponent: i32) -> Id {
-        self.monomial(Rational::one(), &[(base, exponent)])
+        self.monomial(Rational::ONE, &[(base, exponent)])
     }
 
     /// −a.
     pub fn negate(&mut self, a: Id) -> Id {
-        self.linear(&[(-Rational::one(), a)])
+        self.linear(&[(-Rational::ONE, a)])
     }
 
     /// a − b.
     pub fn difference(&mut self, a: Id, b: Id) -> Id {
-        self.linear(&[(Rational::one(), a), (-Rational::one(), b)])
+        self.linear(&[(Rational::ONE, a), (-Rational::ONE, b)])
     }
 
     /// a / b.
     pub fn quotient(&mut self, a: Id, b: Id) -> Id {
-        self.monomial(Rational::one(), &[(a, 1), (b, -1)])
+        self.monomial(Rational::ONE, &[(a, 1), (b, -1)])
     }
 
     fn collect_sum(&mut self, terms: impl ExactSizeIterator<Item = (Rational, Id)>) -> Id {
@@ -141,58 +123,44 @@ impl Graph {
         }
         flat.sort_by_key(|term: &Addend| term.node);
         flat.dedup_by(|next, kept| {
-            let sum = (next.node == kept.node).then(|| rational::plus(&kept.coefficient, &next.coefficient)).flatten();
-            sum.inspect(|&sum| kept.coefficient = sum).is_some()
+            let alike = next.node == kept.node;
+            if alike {
+                kept.coefficient = &kept.coefficient + &next.coefficient;
+            }
+            alike
         });
         flat.retain(|term| !term.coefficient.is_zero());
         match flat.as_slice() {
             [] => Id::ZERO,
-            [only] => self.scaled(only.coefficient, only.node),
+            [only] => self.scaled(only.coefficient.clone(), only.node),
             _ => self.intern(Node::Sum(flat.into())),
         }
     }
 
-    /// Adds coefficient·node to `flat`, opening sums and constants unless a coefficient would overflow.
+    /// Adds coefficient·node to `flat`, opening sums and constants.
     fn flatten_term(&mut self, coefficient: Rational, node: Id, flat: &mut Vec<Addend>) {
-        // Unreduced or unrepresentable coefficients become constants of their own.
-        let Some(coefficient) = rational::reduced(coefficient) else {
-            let constant = self.rational(coefficient);
-            let node = self.product(&[constant, node]);
-            return flat.push(Addend { coefficient: Rational::one(), node });
-        };
-        let start = flat.len();
-        let whole = match &self.nodes[node.index()] {
-            Node::Rational(r) => {
-                rational::times(&coefficient, r).map(|coefficient| flat.push(Addend { coefficient, node: Id::ONE }))
+        match &self.nodes[node.index()] {
+            Node::Rational(r) => flat.push(Addend { coefficient: &coefficient * r, node: Id::ONE }),
+            Node::Sum(terms) => {
+                let opened = |term: &Addend| Addend { coefficient: &coefficient * &term.coefficient, node: term.node };
+                flat.extend(terms.iter().map(opened));
             }
-            Node::Sum(terms) => terms.iter().try_for_each(|term| {
-                let coefficient = rational::times(&coefficient, &term.coefficient)?;
-                flat.push(Addend { coefficient, node: term.node });
-                Some(())
-            }),
-            Node::Product(own, factors) if !own.is_one() => match rational::times(&coefficient, own) {
-                Some(coefficient) => {
-                    let unit = match **factors {
-                        [Power { base, exponent: 1 }] => base,
-                        _ => {
-                            let unit = Node::Product(Rational::one(), factors.clone());
-                            self.intern(unit)
-                        }
-                    };
-                    flat.push(Addend { coefficient, node: unit });
-                    Some(())
-                }
-                None => None,
-            },
-            _ => None,
-        };
-        if whole.is_none() {
-            flat.truncate(start);
-            flat.push(Addend { coefficient, node });
+            Node::Product(own, factors) if !own.is_one() => {
+                let coefficient = &coefficient * own;
+                let node = match **factors {
+                    [Power { base, exponent: 1 }] => base,
+                    _ => {
+                        let unit = Node::Product(Rational::ONE, factors.clone());
+                        self.intern(unit)
+                    }
+                };
+                flat.push(Addend { coefficient, node });
+            }
+            _ => flat.push(Addend { coefficient, node }),
         }
     }
 
-    /// coefficient·node for a node that is no sum, or a sum whose coefficients would overflow.
+    /// coefficient·node for a node that is no sum.
     fn scaled(&mut self, coefficient: Rational, node: Id) -> Id {
         if coefficient.is_one() {
             return node;
@@ -209,11 +177,7 @@ impl Graph {
 
     fn collect_product(&mut self, coefficient: Rational, factors: impl ExactSizeIterator<Item = (Id, i32)>) -> Id {
         let mut flat = Vec::with_capacity(factors.len());
-        let mut constant = rational::reduced(coefficient).unwrap_or_else(|| {
-            let base = self.rational(coefficient);
-            flat.push(Power { base, exponent: 1 });
-            Rational::one()
-        });
+        let mut constant = coefficient;
         for (base, exponent) in factors {
             self.flatten_factor(base, exponent, &mut constant, &mut flat);
         }
@@ -242,14 +206,14 @@ impl Graph {
         }
     }
 
-    /// Multiplies base^exponent in, opening products and constants unless something would overflow.
+    /// Multiplies base^exponent in, opening products and constants unless an exponent or a power would overflow.
     pub(super) fn flatten_factor(&mut self, base: Id, exponent: i32, constant: &mut Rational, flat: &mut Vec<Power>) {
         if exponent == 0 {
             return;
         }
         let start = flat.len();
         let own = match &self.nodes[base.index()] {
-            Node::Rational(r) => *r,
+            Node::Rational(r) => r.clone(),
             Node::Product(own, factors) => {
                 let opened = factors.iter().try_for_each(|factor| {
                     let exponent = factor.exponent.checked_mul(exponent)?;
@@ -260,12 +224,12 @@ impl Graph {
                     flat.truncate(start);
                     return flat.push(Power { base, exponent });
                 }
-                *own
+                own.clone()
             }
             _ => return flat.push(Power { base, exponent }),
         };
-        match rational::power(&own, exponent).and_then(|power| rational::times(constant, &power)) {
-            Some(product) => *constant = product,
+        match own.power(exponent) {
+            Some(power) => *constant = &*constant * &power,
             None => {
                 let base = self.intern(Node::Rational(own));
                 flat.push(Power { base, exponent });

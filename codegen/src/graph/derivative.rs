@@ -1,10 +1,8 @@
 //! Symbolic differentiation.
 
-use num_traits::One;
-
+use super::Rational;
 use super::build::Graph;
 use super::node::{Id, Node};
-use super::rational::{self, Rational};
 
 impl Graph {
     /// ∂f/∂x of each expression `f` with respect to the symbol `x` (or any other expression taken as a variable).
@@ -32,7 +30,8 @@ impl Graph {
             Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => Id::ZERO,
             Node::Sum(terms) => {
                 // The unit of the sum's constant is no child: its derivative stays zero.
-                let terms: Vec<_> = terms.iter().map(|term| (term.coefficient, known[term.node.index()])).collect();
+                let terms: Vec<_> =
+                    terms.iter().map(|term| (term.coefficient.clone(), known[term.node.index()])).collect();
                 self.linear(&terms)
             }
             Node::Product(coefficient, factors) => {
@@ -42,30 +41,24 @@ impl Graph {
                     if inner == Id::ZERO {
                         continue;
                     }
-                    let exponent = Rational::from_integer(factor.exponent.into());
+                    let exponent = Rational::from(i128::from(factor.exponent));
                     let mut rest = vec![(inner, 1), (factor.base, -1)];
                     rest.extend(factors.iter().map(|factor| (factor.base, factor.exponent)));
-                    let scale = match rational::times(&coefficient, &exponent) {
-                        Some(scale) => scale,
-                        None => {
-                            let count = self.rational(exponent);
-                            rest.push((count, 1));
-                            coefficient
-                        }
-                    };
-                    terms.push(self.monomial(scale, &rest));
+                    terms.push(self.monomial(&coefficient * &exponent, &rest));
                 }
                 self.sum(&terms)
             }
             // (√u)′ = u′ / (2√u)
-            Node::Sqrt(u) => self.monomial(Rational::new_raw(1, 2), &[(known[u.index()], 1), (id, -1)]),
+            Node::Sqrt(u) => self.monomial(Rational::new(1, 2), &[(known[u.index()], 1), (id, -1)]),
+            // Constant but where it jumps.
+            Node::Floor(_) => Id::ZERO,
             Node::Sin(u) => {
                 let cos = self.cos(u);
                 self.product(&[cos, known[u.index()]])
             }
             Node::Cos(u) => {
                 let sin = self.sin(u);
-                self.monomial(-Rational::one(), &[(sin, 1), (known[u.index()], 1)])
+                self.monomial(-Rational::ONE, &[(sin, 1), (known[u.index()], 1)])
             }
         }
     }

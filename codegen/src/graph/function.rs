@@ -1,22 +1,18 @@
 //! Square roots, sines and cosines, with the exact values that fixed axes need (multiples of 45°).
 
-use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
-
+use super::Rational;
 use super::build::Graph;
 use super::node::{Id, Node, Power};
-use super::rational::{self, Rational};
 
 impl Graph {
     /// √a; exact for rational squares and twice rational squares.
     pub fn sqrt(&mut self, a: Id) -> Id {
         if let Node::Rational(r) = self.node(a) {
-            let r = *r;
-            if let Some(root) = rational::exact_root(&r) {
+            let half = r * &Rational::new(1, 2);
+            if let Some(root) = r.sqrt() {
                 return self.rational(root);
             }
-            let half = rational::times(&r, &Rational::new_raw(1, 2));
-            if let Some(root) = half.and_then(|half| rational::exact_root(&half)) {
+            if let Some(root) = half.sqrt() {
                 return self.monomial(root, &[(Id::SQRT_2, 1)]);
             }
         }
@@ -45,23 +41,42 @@ impl Graph {
         self.intern(Node::Cos(a))
     }
 
+    /// ⌊a⌋
+    pub fn floor(&mut self, a: Id) -> Id {
+        match self.node(a) {
+            Node::Rational(r) if r.to_integer().is_some() => a,
+            _ => self.intern(Node::Floor(a)),
+        }
+    }
+
+    /// An angle less whole turns, in `start · π/12` and a turn from there.
+    pub fn wrapped(&mut self, angle: Id, start: i32) -> Id {
+        let turns = Rational::new(start.into(), 24);
+        let of_turn = self.monomial(Rational::new(1, 2), &[(angle, 1), (Id::PI, -1)]);
+        let from = self.rational(-turns);
+        let past = self.sum(&[of_turn, from]);
+        let whole = self.floor(past);
+        let back = self.monomial(Rational::from(-2), &[(Id::PI, 1), (whole, 1)]);
+        self.sum(&[angle, back])
+    }
+
     /// How many eighths of a turn `a` is, modulo 8, if it is a whole number of them.
     fn eighths(&self, a: Id) -> Option<u8> {
         let multiple = match self.node(a) {
-            Node::Rational(r) if r.is_zero() => *r,
-            Node::Pi => Rational::one(),
-            Node::Product(multiple, factors) if **factors == [Power { base: Id::PI, exponent: 1 }] => *multiple,
+            Node::Rational(r) if r.is_zero() => r,
+            Node::Pi => &Rational::ONE,
+            Node::Product(multiple, factors) if **factors == [Power { base: Id::PI, exponent: 1 }] => multiple,
             _ => return None,
         };
-        let eighths = rational::times(&multiple, &Rational::from_integer(4))?;
-        eighths.is_integer().then(|| eighths.numer().mod_floor(&8) as u8)
+        let eighths = (multiple * &Rational::from(4)).to_integer()?;
+        Some(eighths.rem_euclid(8) as u8)
     }
 
     fn sine_of_eighth(&mut self, eighth: u8) -> Id {
         let size = match eighth % 4 {
             0 => Id::ZERO,
             2 => Id::ONE,
-            _ => self.monomial(Rational::new_raw(1, 2), &[(Id::SQRT_2, 1)]),
+            _ => self.monomial(Rational::new(1, 2), &[(Id::SQRT_2, 1)]),
         };
         if eighth > 4 { self.negate(size) } else { size }
     }

@@ -1,14 +1,13 @@
 //! From expressions to a [`Program`].
 
-use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 
+use super::Rational;
 use super::build::Graph;
 use super::evaluate::Unbound;
 use super::factor::{Literal, Products};
 use super::node::{Addend, Id, Node, Symbol};
 use super::program::{Constant, Program, Step, Value};
-use super::rational::Rational;
 
 impl Graph {
     /// Lowers `outputs` together to straight-line code over `inputs`: each part once, one sine and one cosine an
@@ -52,10 +51,10 @@ impl Graph {
                     Value::Input(at.ok_or(Unbound { symbol: *symbol })? as u32)
                 }
                 Node::Rational(r) if r.is_negative() => {
-                    let size = lowering.rational(-*r);
+                    let size = lowering.rational(-r);
                     lowering.step(Step::Neg(size))
                 }
-                Node::Rational(r) => lowering.rational(*r),
+                Node::Rational(r) => lowering.rational(r.clone()),
                 Node::Pi => lowering.constant(Constant::Pi),
                 Node::Sqrt2 => lowering.constant(Constant::Sqrt2),
                 Node::Sum(terms) => lowering.sum(terms),
@@ -67,6 +66,10 @@ impl Graph {
                 Node::Sqrt(u) => {
                     let u = lowering.at(*u);
                     lowering.step(Step::Sqrt(u))
+                }
+                Node::Floor(u) => {
+                    let u = lowering.at(*u);
+                    lowering.step(Step::Floor(u))
                 }
                 Node::Sin(u) => lowering.angle(*u, angles.get(u).copied().unwrap_or_default())[0],
                 Node::Cos(u) => lowering.angle(*u, angles.get(u).copied().unwrap_or_default())[1],
@@ -124,7 +127,7 @@ impl Lowering<'_> {
 
     /// The first term that is added leads, so that a sign is changed only where all are subtracted.
     fn sum(&mut self, terms: &[Addend]) -> Value {
-        let lead = terms.iter().position(|term| term.coefficient.is_positive()).unwrap_or(0);
+        let lead = terms.iter().position(|term| !term.coefficient.is_negative()).unwrap_or(0);
         let order = terms.get(lead).into_iter().chain(&terms[..lead]).chain(terms.iter().skip(lead + 1));
         let mut total = None;
         for term in order {
@@ -142,7 +145,7 @@ impl Lowering<'_> {
                 (Some(sum), true) => self.step(Step::Sub(sum, part)),
             });
         }
-        total.unwrap_or_else(|| self.rational(Rational::from_integer(0)))
+        total.unwrap_or_else(|| self.rational(Rational::ZERO))
     }
 
     /// Sine and cosine, side by side where both are needed.
@@ -160,7 +163,7 @@ impl Lowering<'_> {
         let value = match self.table[literal as usize] {
             Literal::Base(base) => self.at(base),
             Literal::Inverse(base) => {
-                let one = self.rational(Rational::one());
+                let one = self.rational(Rational::ONE);
                 let base = self.at(base);
                 self.step(Step::Div(one, base))
             }
@@ -185,7 +188,7 @@ impl Lowering<'_> {
                 }
             }
         }
-        let over = over.unwrap_or_else(|| self.rational(Rational::one()));
+        let over = over.unwrap_or_else(|| self.rational(Rational::ONE));
         match under {
             Some(under) => self.step(Step::Div(over, under)),
             None => over,

@@ -5,7 +5,7 @@
 //! together to straight-line code ([`Program`]), which the printers of [`crate::emit`] write in a language.
 //!
 //! Constructors simplify as algebra does: `0·x` is 0 and `(√u)²` is `u`, whatever values `x` and `u` may take.
-//! A constant that would overflow is left unfolded, so an exact number is never wrong.
+//! Constants are exact; the power of one that would have more digits than numbers of `f64` reach is left unfolded.
 //!
 //! ```
 //! use trunnion_codegen::graph::Graph;
@@ -26,14 +26,13 @@ mod function;
 mod lower;
 mod node;
 mod program;
-mod rational;
 mod tape;
 #[cfg(test)]
 mod tests;
 
+pub use crate::algebra::{Rational, to_f64};
 pub use build::Graph;
 pub use evaluate::Unbound;
 pub use node::{Addend, Id, Node, Power, Symbol};
 pub use program::{Constant, Operations, Program, Step, Value};
-pub use rational::{Rational, to_f64};
 pub use tape::{Evaluator, Tape, WrongLength};

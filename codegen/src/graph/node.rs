@@ -1,7 +1,5 @@
 //! What an expression is made of.
 
-use std::hash::{Hash, Hasher};
-
 use super::Rational;
 use crate::algebra::NominalId;
 
@@ -38,7 +36,7 @@ pub enum Symbol {
 }
 
 /// What a sum adds: `coefficient · node`.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Addend {
     /// Never zero.
     pub coefficient: Rational,
@@ -56,7 +54,7 @@ pub struct Power {
 }
 
 /// One operation over earlier expressions, in normal form.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Node {
     /// A variable.
     Symbol(Symbol),
@@ -76,6 +74,8 @@ pub enum Node {
     Sin(Id),
     /// Cosine of an angle in rad.
     Cos(Id),
+    /// The largest whole number that is not above it.
+    Floor(Id),
 }
 
 impl Node {
@@ -85,37 +85,10 @@ impl Node {
             Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => (&[], &[], None),
             Node::Sum(terms) => (terms, &[], None),
             Node::Product(_, factors) => (&[], factors, None),
-            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) => (&[], &[], Some(*u)),
+            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) | Node::Floor(u) => (&[], &[], Some(*u)),
         };
         let terms = terms.iter().map(|term| term.node).filter(|&node| node != Id::ONE);
         let factors = factors.iter().map(|factor| factor.base);
         terms.chain(factors).chain(argument)
-    }
-}
-
-/// `Ratio` hashes its continued fraction, so that ratios not in lowest terms hash alike; ours are, and a division of
-/// 128 bits costs more than the rest of the hash.
-fn hash_lowest<H: Hasher>(r: &Rational, state: &mut H) {
-    r.numer().hash(state);
-    r.denom().hash(state);
-}
-
-impl Hash for Node {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        std::mem::discriminant(self).hash(state);
-        match self {
-            Node::Symbol(symbol) => symbol.hash(state),
-            Node::Rational(r) => hash_lowest(r, state),
-            Node::Pi | Node::Sqrt2 => {}
-            Node::Sum(terms) => terms.iter().for_each(|term| {
-                hash_lowest(&term.coefficient, state);
-                term.node.hash(state);
-            }),
-            Node::Product(coefficient, factors) => {
-                hash_lowest(coefficient, state);
-                factors.hash(state);
-            }
-            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) => u.hash(state),
-        }
     }
 }

@@ -14,7 +14,7 @@ pub enum Value {
 }
 
 /// A constant of a [`Program`].
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Constant {
     /// Not negative: signs are in the steps.
     Rational(Rational),
@@ -55,6 +55,8 @@ pub enum Step {
     Sin(Value),
     /// cos a
     Cos(Value),
+    /// ⌊a⌋
+    Floor(Value),
 }
 
 impl Step {
@@ -62,7 +64,7 @@ impl Step {
     pub fn operands(self) -> impl Iterator<Item = Value> {
         let (a, b) = match self {
             Step::Add(a, b) | Step::Sub(a, b) | Step::Mul(a, b) | Step::Div(a, b) => (a, Some(b)),
-            Step::Neg(a) | Step::Sqrt(a) | Step::Sin(a) | Step::Cos(a) => (a, None),
+            Step::Neg(a) | Step::Sqrt(a) | Step::Sin(a) | Step::Cos(a) | Step::Floor(a) => (a, None),
         };
         [Some(a), b].into_iter().flatten()
     }
@@ -81,6 +83,8 @@ pub struct Operations {
     pub roots: usize,
     /// Angles whose sine, cosine or both are computed.
     pub angles: usize,
+    /// Roundings down.
+    pub floors: usize,
 }
 
 /// Straight-line code for several outputs: each step uses inputs, constants and earlier steps, and no two are the same.
@@ -178,6 +182,7 @@ impl Program {
                 Step::Add(..) | Step::Sub(..) | Step::Neg(_) => count.additions += 1,
                 Step::Div(..) => count.divisions += 1,
                 Step::Sqrt(_) => count.roots += 1,
+                Step::Floor(_) => count.floors += 1,
                 Step::Sin(_) | Step::Cos(_) => count.angles += usize::from(!self.is_fused_cosine(at)),
             }
         }

@@ -15,6 +15,7 @@ enum Operation {
     Sqrt(u32),
     Sin(u32),
     Cos(u32),
+    Floor(u32),
     /// Gives two results: sine, then cosine.
     SinCos(u32),
 }
@@ -87,6 +88,7 @@ impl Tape {
                 Step::Sqrt(a) => Operation::Sqrt(register(a)),
                 Step::Sin(a) => Operation::Sin(register(a)),
                 Step::Cos(a) => Operation::Cos(register(a)),
+                Step::Floor(a) => Operation::Floor(register(a)),
             });
         }
         let outputs = program.outputs().iter().map(|&value| register(value)).collect();
@@ -148,6 +150,7 @@ impl Evaluator<'_> {
                 Operation::Sqrt(a) => at(a).sqrt(),
                 Operation::Sin(a) => at(a).sin(),
                 Operation::Cos(a) => at(a).cos(),
+                Operation::Floor(a) => at(a).floor(),
                 Operation::SinCos(a) => {
                     let (sin, cos) = at(a).sin_cos();
                     registers[next] = sin;

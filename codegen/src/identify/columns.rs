@@ -1,23 +1,22 @@
 //! One column per physical parameter: its coefficient in every run, the basis functions put in.
 
+use super::assume::assume;
 use super::derivation::DeriveError;
-use super::parameter::{Coefficient, Origin, Parameter};
-use crate::algebra::{ErrorId, Order, Poly};
+use super::parameter::{Assumed, Column, Parameter};
+use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly};
 use crate::basis::Basis;
 use crate::ids::{FunctionId, ParameterId, RunId};
-use crate::model::Model;
+use crate::model::{Coefficient, Model, Origin};
 use typed_index_collections::{TiSlice, TiVec, ti_vec};
-
-/// A parameter with its coefficient in the reading of every run, products left as they stand.
-type Column = (Parameter, TiVec<RunId, Poly>);
 
 /// The columns in elimination order, and each run's known terms.
 pub(super) struct Columns {
     pub parameters: TiVec<ParameterId, Parameter>,
-    /// Products are left as they stand.
+    /// Powers of cosine are left as they stand.
     pub raw: TiVec<RunId, TiVec<ParameterId, Poly>>,
     pub known: TiVec<RunId, Vec<(FunctionId, Poly)>>,
     pub unseen: Vec<ErrorId>,
+    pub assumed: Vec<Assumed>,
 }
 
 pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<Columns, DeriveError> {
@@ -29,9 +28,8 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
         for (errors, coefficient) in reading.by_errors() {
             let Some(error) = errors.errors().next() else { continue };
             seen.push(error);
-            let name = model.alphabet.error_name(error);
             let Some((axis, _)) = model.axis_of(error) else {
-                put(&mut found, readings.len(), name.to_owned(), Origin::Constant(error), run, coefficient);
+                put(&mut found, readings.len(), Origin::Constant(error), run, coefficient);
                 continue;
             };
             let Some((id, function)) = model.function(error) else {
@@ -43,34 +41,48 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
                 continue;
             }
             let values = function.basis.along(&model.runs[run].at[axis], &model.alphabet)?;
-            for ((term, value), suffix) in values.iter_enumerated().zip(function.basis.suffixes()) {
+            for (term, value) in values.iter_enumerated() {
                 let origin = Origin::Coefficient(Coefficient { function: id, term });
-                let column = coefficient.times(value, Order::NOMINAL)?;
-                put(&mut found, readings.len(), format!("{name}{suffix}"), origin, run, column);
+                let column = coefficient.times(value, Order::NOMINAL)?.normal_root2()?;
+                put(&mut found, readings.len(), origin, run, column);
             }
         }
     }
     if !without_basis.is_empty() {
         return Err(DeriveError::NoBasis(without_basis));
     }
-    found.retain(|(_, column)| column.iter().any(|c| !c.is_zero()));
-    sort(model, &mut found)?;
-    let raw = readings.keys().map(|run| found.iter().map(|(_, column)| column[run].clone()).collect()).collect();
+    let assumed = assume(&model.assumptions, &mut found, readings.len(), &model.alphabet)?;
+    found = seen_of(found, &model.alphabet)?;
+    let mut named: Vec<(Parameter, Column)> = found.into_iter().map(|c| (Parameter::new(model, c.origin), c)).collect();
+    sort(model, &mut named)?;
+    let raw = readings.keys().map(|run| named.iter().map(|(_, column)| column.by_run[run].clone()).collect()).collect();
     let unseen = model.alphabet.errors().map(|(id, ..)| id).filter(|id| !seen.contains(id)).collect();
-    Ok(Columns { parameters: found.into_iter().map(|(p, _)| p).collect(), raw, known, unseen })
+    Ok(Columns { parameters: named.into_iter().map(|(p, _)| p).collect(), raw, known, unseen, assumed })
 }
 
-fn put(found: &mut Vec<Column>, runs: usize, name: String, origin: Origin, run: RunId, coefficient: Poly) {
-    let at = found.iter().position(|(p, _)| p.origin == origin).unwrap_or_else(|| {
-        found.push((Parameter { name, origin }, ti_vec![Poly::ZERO; runs]));
+/// Those that change a reading: products as they stand may be zero without looking so.
+fn seen_of(found: Vec<Column>, alphabet: &Alphabet) -> Result<Vec<Column>, AlgebraError> {
+    let mut kept = Vec::with_capacity(found.len());
+    for column in found {
+        let normal = column.by_run.iter().map(|c| c.normal(alphabet)).collect::<Result<Vec<_>, _>>()?;
+        if normal.iter().any(|c| !c.is_zero()) {
+            kept.push(column);
+        }
+    }
+    Ok(kept)
+}
+
+fn put(found: &mut Vec<Column>, runs: usize, origin: Origin, run: RunId, coefficient: Poly) {
+    let at = found.iter().position(|c| c.origin == origin).unwrap_or_else(|| {
+        found.push(Column { origin, by_run: ti_vec![Poly::ZERO; runs] });
         found.len() - 1
     });
-    found[at].1[run] = coefficient;
+    found[at].by_run[run] = coefficient;
 }
 
 /// Coefficients of estimated functions first, so that what they are confounded with shows in their own definition; then
 /// the declared order; then the order of the symbols.
-fn sort(model: &Model, found: &mut [Column]) -> Result<(), DeriveError> {
+fn sort(model: &Model, found: &mut [(Parameter, Column)]) -> Result<(), DeriveError> {
     if let Some(unknown) = model.order.iter().find(|text| found.iter().all(|(p, _)| p.name != text.value)) {
         return Err(DeriveError::UnknownParameter(unknown.clone()));
     }

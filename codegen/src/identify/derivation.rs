@@ -1,9 +1,10 @@
 //! What is derived: the physical parameters, the base parameters, what each run reads, what the runs cannot tell apart.
 
-use super::parameter::{Coefficient, Parameter};
+use super::parameter::{Assumed, Parameter};
 use crate::algebra::{AlgebraError, ErrorId, Fraction, Poly};
-use crate::ids::{BaseId, FunctionId, KernelId, ParameterId, RunId};
+use crate::ids::{BaseId, FunctionId, KernelId, ParameterId, RunId, TermId};
 use crate::measurement::ReadingError;
+use crate::model::Coefficient;
 use crate::model::Text;
 use typed_index_collections::TiVec;
 
@@ -20,6 +21,10 @@ pub struct Derivation {
     pub kernel: TiVec<KernelId, Vec<(ParameterId, Fraction)>>,
     /// Errors of the machine that no run sees at first order.
     pub unseen: Vec<ErrorId>,
+    /// Parameters that the model's assumptions make up of others.
+    pub assumed: Vec<Assumed>,
+    /// What all runs together tell of each estimated function.
+    pub functions: Vec<Determination>,
 }
 
 impl Derivation {
@@ -42,6 +47,50 @@ pub struct BaseParameter {
     pub estimates: Option<Coefficient>,
     /// The first run that sees it.
     pub run: RunId,
+}
+
+/// What is seen of a function, term by term of its basis.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Determination {
+    /// The function.
+    pub function: FunctionId,
+    /// The terms of its basis whose coefficients are seen, ascending.
+    pub seen: Vec<SeenTerm>,
+    /// The coefficients that are not: nothing the runs read has them, or only sums in which an earlier one stands.
+    pub missing: Vec<TermId>,
+}
+
+/// A coefficient as it is seen: `coefficient + Σ others = Σ base`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SeenTerm {
+    /// The term of the basis.
+    pub term: TermId,
+    /// Base parameters with their factors.
+    pub base: Vec<(BaseId, Fraction)>,
+    /// Other parameters with their factors, from which no run separates it.
+    pub others: Vec<(ParameterId, Fraction)>,
+}
+
+/// How far a function is determined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// The runs give its value.
+    Determined,
+    /// They give it up to what other parameters, or terms that are missing, add to it.
+    UpTo,
+    /// They give nothing of it.
+    NotSeen,
+}
+
+impl Determination {
+    /// How far the function is determined.
+    pub fn extent(&self) -> Extent {
+        match (self.seen.as_slice(), self.missing.as_slice()) {
+            ([], _) => Extent::NotSeen,
+            (seen, []) if seen.iter().all(|s| s.others.is_empty()) => Extent::Determined,
+            _ => Extent::UpTo,
+        }
+    }
 }
 
 /// What one run reads.
@@ -67,6 +116,8 @@ pub enum DeriveError {
     NoBasis(Vec<(RunId, ErrorId, Poly)>),
     /// An entry of [`Model::order`](crate::model::Model::order) that is no parameter of the runs.
     UnknownParameter(Text),
+    /// Assumptions that could only be solved by dividing by a sum of constants, as they were written.
+    AssumptionDivides(Vec<String>),
     /// An exact computation failed.
     Algebra(AlgebraError),
 }
@@ -83,6 +134,7 @@ impl core::fmt::Display for DeriveError {
             Self::Reading(run, e) => write!(f, "run {run}: {e}"),
             Self::NoBasis(seen) => write!(f, "nothing is assumed of {} motion errors that runs see", seen.len()),
             Self::UnknownParameter(text) => write!(f, "`{}` is not a parameter that the runs see", text.value),
+            Self::AssumptionDivides(texts) => write!(f, "{}: a division by a sum of constants", texts.join("; ")),
             Self::Algebra(e) => core::fmt::Display::fmt(e, f),
         }
     }

@@ -6,10 +6,12 @@
 
 use super::columns::Columns;
 use super::derivation::{BaseParameter, Derivation, DeriveError, DerivedRun};
-use super::parameter::{Origin, Parameter};
+use super::determined::determined;
+use super::parameter::Parameter;
 use crate::algebra::{AlgebraError, Alphabet, Fraction, Monomial, Poly, Row, integer, reduce, subtract};
 use crate::ids::{BaseId, ParameterId, RunId};
 use crate::model::Model;
+use crate::model::Origin;
 use typed_index_collections::{TiSlice, TiVec, ti_vec};
 
 /// A base parameter while its regressors are being found.
@@ -45,12 +47,15 @@ pub(super) fn factor(model: &Model, readings: TiVec<RunId, Poly>, columns: Colum
     let rows = base.iter().map(|b| b.definition.clone()).collect();
     let kernel = reduce(rows, order(), alphabet)?.kernel(columns.parameters.len());
     let base = name(model, &columns.parameters, base);
+    let defined: Vec<(BaseId, &BaseParameter)> = base.iter_enumerated().map(|(id, (b, _))| (id, b)).collect();
     Ok(Derivation {
+        functions: determined(model, &columns.parameters, &columns.assumed, &defined)?,
         runs: runs(model, readings, &columns, &base),
         base: base.into_iter().map(|(b, _)| b).collect(),
         parameters: columns.parameters,
         kernel: kernel.into_iter().map(sparse).collect(),
         unseen: columns.unseen,
+        assumed: columns.assumed,
     })
 }
 
@@ -97,8 +102,8 @@ fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<B
             Origin::Coefficient(c) if model.functions[c.function].estimate => Some(c),
             _ => None,
         };
-        let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| *c);
-        let flip = estimates.is_none() && leading.is_some_and(|c| c < integer(0));
+        let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| c.is_negative());
+        let flip = estimates.is_none() && leading == Some(true);
         let signed = |f: Fraction| if flip { f.negated() } else { f };
         lumped += usize::from(estimates.is_none());
         let name = if estimates.is_some() { parameter.name.clone() } else { format!("k{lumped}") };

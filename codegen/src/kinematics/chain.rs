@@ -11,8 +11,8 @@ use crate::model::{Axis, AxisKind, Ball, Model, Run};
 pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[PolyVector; 2], AlgebraError> {
     let (workpiece, tool) = run.at.raw.split_at(model.workpiece.len());
     Ok([
-        position(&model.workpiece, workpiece, &run.workpiece_ball, &model.alphabet, order)?,
-        position(&model.tool, tool, &run.tool_ball, &model.alphabet, order)?,
+        position(&model.workpiece, workpiece, &run.workpiece_ball, run, &model.alphabet, order)?,
+        position(&model.tool, tool, &run.tool_ball, run, &model.alphabet, order)?,
     ])
 }
 
@@ -21,6 +21,7 @@ fn position(
     axes: &[Axis],
     at: &[Coordinate],
     ball: &Ball,
+    run: &Run,
     alphabet: &Alphabet,
     order: Order,
 ) -> Result<PolyVector, AlgebraError> {
@@ -31,7 +32,7 @@ fn position(
         }
     }
     for (axis, coordinate) in axes.iter().zip(at).rev() {
-        for transform in transforms(axis, coordinate, alphabet)?.iter().rev() {
+        for transform in transforms(axis, coordinate, &run.left_out, alphabet)?.iter().rev() {
             point = transform.apply(&point, order)?;
         }
         for p in &mut point {
@@ -42,7 +43,12 @@ fn position(
 }
 
 /// The axis' factors, leftmost first.
-fn transforms(axis: &Axis, coordinate: &Coordinate, alphabet: &Alphabet) -> Result<Vec<Transform>, AlgebraError> {
+fn transforms(
+    axis: &Axis,
+    coordinate: &Coordinate,
+    left_out: &[ErrorId],
+    alphabet: &Alphabet,
+) -> Result<Vec<Transform>, AlgebraError> {
     let nominal = match coordinate {
         Coordinate::Rest => return Ok(Vec::new()),
         Coordinate::Linear(travel) => Transform::translation(along(&axis.direction, travel)?),
@@ -51,12 +57,14 @@ fn transforms(axis: &Axis, coordinate: &Coordinate, alphabet: &Alphabet) -> Resu
             rotation(&axis.direction, &sin, &cos, alphabet)?
         }
     };
-    let motion = small(axis.motion.map(Some));
+    let kept = |error: Option<ErrorId>| error.filter(|e| !left_out.contains(e));
+    let motion = small(axis.motion.map(|e| kept(Some(e))));
     let moved = match axis.kind {
         AxisKind::Rotary => [motion, nominal],
         AxisKind::Linear => [nominal, motion],
     };
-    let location = axis.location.iter().any(Option::is_some).then(|| small(axis.location));
+    let location = axis.location.map(kept);
+    let location = location.iter().any(Option::is_some).then(|| small(location));
     Ok(location.into_iter().chain(moved).collect())
 }
 

@@ -29,7 +29,7 @@ struct NumericAxis {
     kind: AxisKind,
     direction: Place,
     location: [Option<ErrorId>; 6],
-    motion: [ErrorId; 6],
+    motion: [Option<ErrorId>; 6],
 }
 
 /// Nominal coordinates (`None` at rest) and balls at one value of the sweep.
@@ -44,11 +44,12 @@ impl ExactRun {
     pub fn new(model: &Model, run: &Run, sweeps: &[f64], constant: &impl Fn(&str) -> f64) -> Self {
         let value = |p: &Poly, sweep: f64| at(p, &model.alphabet, sweep, constant);
         let ball = |b: &Ball, sweep: f64| core::array::from_fn(|i| value(&b.at[i], sweep));
+        let kept = |error: Option<ErrorId>| error.filter(|e| !run.left_out.contains(e));
         let axis = |a: &Axis| NumericAxis {
             kind: a.kind,
             direction: core::array::from_fn(|i| value(&a.direction[i], 0.0)),
-            location: a.location,
-            motion: a.motion,
+            location: a.location.map(kept),
+            motion: a.motion.map(|e| kept(Some(e))),
         };
         let station = |&sweep: &f64| Station {
             coordinates: run.at.iter().map(|c| c.poly().map(|p| value(p, sweep))).collect(),
@@ -89,7 +90,7 @@ fn position(
     let mut point: Place = core::array::from_fn(|i| ball[i] + setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
     for (axis, coordinate) in axes.iter().zip(coordinates).rev() {
         let &Some(coordinate) = coordinate else { continue };
-        let motion = axis.motion.map(|e| errors.value(e, coordinate));
+        let motion = axis.motion.map(|e| e.map_or(0.0, |e| errors.value(e, coordinate)));
         point = match axis.kind {
             AxisKind::Rotary => small(&motion, rotate(&axis.direction, coordinate, point)),
             AxisKind::Linear => {

@@ -24,7 +24,8 @@ pub(super) fn deviation(model: &Model, run: &Run, radius: NominalId, order: Orde
     let mut sum = Poly::ZERO;
     let mut binomial = integer(1);
     for n in 1..=order.get() as i128 {
-        binomial *= (Rational::new(1, 2) - integer(n - 1)) / integer(n);
+        // (½ − (n − 1)) / n
+        binomial = &binomial * &Rational::new(3 - 2 * n, 2 * n);
         power = power.times(&u, order)?;
         sum = sum.plus(&power.scaled(&binomial)?)?;
     }

@@ -1,6 +1,6 @@
 //! Why a run has no reading: its balls are not where the instrument needs them.
 
-use crate::algebra::{AlgebraError, Monomial, Order, Poly, Rational};
+use crate::algebra::{AlgebraError, Monomial, Order, Poly};
 
 /// Why a run has no reading.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,9 +45,8 @@ pub enum Length {
 pub(super) fn length(square: &Poly) -> Result<Length, AlgebraError> {
     if let [(m, c)] = square.terms() {
         let half: Vec<i8> = m.powers().iter().map(|p| p / 2).collect();
-        let root = |n: i128| (n >= 0).then(|| n.unsigned_abs().isqrt() as i128);
-        if let (Ok(powers), Some(n), Some(d)) = (half.try_into(), root(*c.numer()), root(*c.denom())) {
-            let candidate = Poly::term(Monomial::of_powers(powers), Rational::new(n, d));
+        if let (Ok(powers), Some(root)) = (half.try_into(), c.sqrt()) {
+            let candidate = Poly::term(Monomial::of_powers(powers), root);
             if candidate.times(&candidate, Order::NOMINAL)? == *square {
                 return Ok(Length::Exactly(candidate));
             }

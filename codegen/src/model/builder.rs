@@ -19,7 +19,7 @@
 //! ```
 
 use super::AxisKind;
-use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun};
+use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun, Number};
 use crate::source::Text;
 
 fn texts<I: IntoIterator<Item: Into<Text>>>(items: I) -> Vec<Text> {
@@ -64,6 +64,18 @@ impl Draft {
         self
     }
 
+    /// A condition taken as exact: `EYC_cos2` is `0`, `EXC` is `0 at c = 0`.
+    pub fn assume(mut self, parameter: impl Into<Text>, is: impl Into<Text>) -> Self {
+        self.assume.push((parameter.into(), is.into()));
+        self
+    }
+
+    /// The largest size of an error, with its unit in the name: `EXC_um`.
+    pub fn limit(mut self, name: impl Into<Text>, value: f64) -> Self {
+        self.limits.push(Number { name: name.into(), value });
+        self
+    }
+
     /// The next run.
     pub fn run(mut self, run: DraftRun) -> Self {
         self.runs.push(run);
@@ -92,7 +104,8 @@ impl Draft {
 impl DraftAxis {
     /// An axis that turns about `x`, `-y`, ….
     pub fn rotary(name: impl Into<Text>, direction: impl Into<Text>) -> Self {
-        Self { name: name.into(), kind: AxisKind::Rotary, direction: vec![direction.into()], location: Vec::new() }
+        let direction = vec![direction.into()];
+        Self { name: name.into(), kind: AxisKind::Rotary, direction, location: Vec::new(), range: None }
     }
 
     /// An axis that slides along `x`, `-y`, ….
@@ -103,6 +116,12 @@ impl DraftAxis {
     /// Another direction: three expressions of length 1.
     pub fn along<I: IntoIterator<Item: Into<Text>>>(mut self, direction: I) -> Self {
         self.direction = texts(direction);
+        self
+    }
+
+    /// Its lowest and highest coordinate, degrees or mm.
+    pub fn range(mut self, low: f64, high: f64) -> Self {
+        self.range = Some([low, high]);
         self
     }
 

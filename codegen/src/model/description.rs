@@ -8,6 +8,8 @@ use crate::basis::{Basis, Coordinate};
 use crate::ids::{AxisId, FunctionId, RunId};
 use crate::iso::{Component, Notation};
 use crate::source::{Span, Text};
+
+use super::prior::{Assumption, Limits, StatedInstrument};
 use typed_index_collections::TiVec;
 
 /// A machine, the runs that measure it, and what is assumed of its errors.
@@ -31,6 +33,12 @@ pub struct Model {
     pub functions: TiVec<FunctionId, ErrorFunction>,
     /// Parameters to be used as pivots first, in this order.
     pub order: Vec<Text>,
+    /// Conditions between parameters, taken as exact.
+    pub assumptions: Vec<Assumption>,
+    /// Largest sizes of errors.
+    pub limits: Limits,
+    /// What is stated of the instrument.
+    pub instrument: Option<StatedInstrument>,
 }
 
 impl Model {
@@ -84,6 +92,8 @@ pub struct Axis {
     pub location: [Option<ErrorId>; 6],
     /// Against which other axes its orientation errors are declared.
     pub references: Vec<Reference>,
+    /// Lowest and highest coordinate, rad or mm.
+    pub range: Option<[f64; 2]>,
     /// Motion errors (EXA … ECA), X Y Z A B C.
     pub motion: [ErrorId; 6],
 }
@@ -123,6 +133,8 @@ pub struct Run {
     pub tool_ball: Ball,
     /// What is read.
     pub reading: ReadingKind,
+    /// Errors of resting axes that this run leaves out: they do to it what its set-up errors do.
+    pub left_out: Vec<ErrorId>,
     /// Where its name and its reading are described.
     pub places: [Span; 2],
 }

@@ -32,6 +32,30 @@ pub struct Draft {
     pub estimate: Vec<Text>,
     /// Parameters preferred as pivots.
     pub order: Vec<Text>,
+    /// Conditions taken as exact: a parameter or a function, and what it is.
+    pub assume: Vec<(Text, Text)>,
+    /// Largest sizes of errors, by name and unit.
+    pub limits: Vec<Number>,
+    /// What is stated of the instrument.
+    pub instrument: Option<DraftInstrument>,
+}
+
+/// A number by its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    /// The name, with a unit at its end: `EXC_um`.
+    pub name: Text,
+    /// The number.
+    pub value: f64,
+}
+
+/// What is stated of the instrument.
+#[derive(Clone, Debug, Default)]
+pub struct DraftInstrument {
+    /// A known instrument.
+    pub preset: Option<Text>,
+    /// Own values, in place of the preset's.
+    pub values: Vec<Number>,
 }
 
 /// One axis.
@@ -45,6 +69,8 @@ pub struct DraftAxis {
     pub direction: Vec<Text>,
     /// ISO names of its location errors.
     pub location: Vec<Text>,
+    /// The lowest and the highest coordinate, degrees or mm.
+    pub range: Option<[f64; 2]>,
 }
 
 /// One run.

@@ -1,6 +1,8 @@
 //! Model files: TOML into a draft, every problem with its place.
 
-use super::draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun};
+use super::draft::{
+    Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,
+};
 use super::{AxisKind, Model, Problem, ProblemKind};
 use crate::source::{Span, Text};
 use toml::Spanned;
@@ -47,12 +49,17 @@ const TOP: &[&str] = &[
     "tool",
     "estimate",
     "order",
+    "assume",
+    "limits",
+    "instrument",
     "axis",
     "names",
     "run",
     "function",
 ];
-const AXIS: &[&str] = &["rotary", "linear", "location"];
+const AXIS: &[&str] = &["rotary", "linear", "location", "range"];
+const INSTRUMENT: &[&str] =
+    &["preset", "constant_um", "proportional", "bar_length_um", "temperature_k", "expansion_per_k"];
 const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading"];
 const READING: &[&str] = &["displacement"];
 const BALL: &[&str] = &["at", "setup"];
@@ -94,6 +101,13 @@ impl Reader {
         for (name, value) in self.tables(table, "run") {
             draft.runs.extend(self.table(value).map(|run| self.run(text_of(name), run)));
         }
+        for (parameter, value) in self.tables(table, "assume") {
+            draft.assume.extend(self.text(value).map(|is| (text_of(parameter), is)));
+        }
+        for (name, value) in self.tables(table, "limits") {
+            draft.limits.extend(self.float(value).map(|value| Number { name: text_of(name), value }));
+        }
+        draft.instrument = table.get("instrument").and_then(|value| self.table(value)).map(|t| self.instrument(t));
         for (error, value) in self.tables(table, "function") {
             let basis = self.basis(value);
             draft.functions.extend(basis.map(|basis| DraftFunction { error: text_of(error), basis }));
@@ -113,7 +127,31 @@ impl Reader {
             }
         };
         let direction = self.direction(table, key);
-        Some(DraftAxis { name, kind, direction, location: self.list(table, "location") })
+        let range = table.get("range").and_then(|value| self.range(value));
+        Some(DraftAxis { name, kind, direction, location: self.list(table, "location"), range })
+    }
+
+    fn instrument(&mut self, table: &DeTable) -> DraftInstrument {
+        self.known_keys(table, INSTRUMENT);
+        let values = table.iter().filter(|(key, _)| key.get_ref().as_ref() != "preset");
+        let values = values.filter_map(|(key, value)| Some(Number { name: text_of(key), value: self.float(value)? }));
+        DraftInstrument { values: values.collect(), preset: self.optional(table, "preset") }
+    }
+
+    /// Two numbers, the lower first.
+    fn range(&mut self, value: &Spanned<DeValue>) -> Option<[f64; 2]> {
+        let ends: Vec<f64> = match value.get_ref() {
+            DeValue::Array(items) => items.iter().filter_map(|item| number(item.get_ref())).collect(),
+            _ => Vec::new(),
+        };
+        match ends.as_slice() {
+            &[low, high] if low < high => Some([low, high]),
+            _ => self.problem(value.span(), ProblemKind::NotARange),
+        }
+    }
+
+    fn float(&mut self, value: &Spanned<DeValue>) -> Option<f64> {
+        number(value.get_ref()).or_else(|| self.problem(value.span(), ProblemKind::Type("a number")))
     }
 
     fn run(&mut self, name: Text, table: &DeTable) -> DraftRun {
@@ -231,6 +269,15 @@ impl Reader {
             _ => None,
         };
         parsed.filter(|n| (1..=high).contains(n)).or_else(|| self.problem(value.span(), ProblemKind::Range(1, high)))
+    }
+}
+
+/// A number, whole or not.
+fn number(value: &DeValue) -> Option<f64> {
+    match value {
+        DeValue::Integer(n) => i64::from_str_radix(n.as_str(), n.radix()).ok().map(|n| n as f64),
+        DeValue::Float(x) => x.as_str().parse().ok(),
+        _ => None,
     }
 }
 

@@ -8,14 +8,21 @@ mod conditions;
 mod description;
 mod draft;
 mod file;
+mod prior;
 mod problem;
 mod reference;
 mod resolve;
+mod unknown;
 
 pub use description::{Axis, AxisKind, Ball, ErrorFunction, Model, ReadingKind, Reference, Run};
-pub use draft::{Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftReading, DraftRun};
+pub use draft::{
+    Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,
+};
 pub use file::{read, read_draft};
+pub use prior::{Assumption, Limits, StatedInstrument};
 pub use problem::{Problem, ProblemKind};
+
+pub use unknown::{Coefficient, Origin};
 
 pub use crate::expression::{
     EvaluationError, Expected, Expr, ExprKind, Meaning, Operator, Scope, SyntaxError, parse, parse_equation,

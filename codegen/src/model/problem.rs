@@ -47,6 +47,8 @@ pub enum ProblemKind {
     NotALocation(String),
     /// An orientation error about an axis of coordinates that does not change the angle between the two axes.
     NoAngle(char, String, String),
+    /// An axis that is its own reference.
+    OwnReference(String),
     /// A reference axis that the axis itself carries, so that it turns along.
     CarriedReference(String, String),
     /// A reference axis with an orientation error of the same component.
@@ -69,6 +71,18 @@ pub enum ProblemKind {
     NotACondition,
     /// No function satisfies the conditions.
     NoBasis(NoBasis),
+    /// A range that is none.
+    NotARange,
+    /// A name that no limit can have.
+    NotALimit(String),
+    /// A size that is negative or not finite.
+    NotASize,
+    /// An assumption that is not linear and homogeneous in parameters.
+    NotAnAssumption,
+    /// A name that is no parameter, or with a point no function.
+    NothingToAssume(String),
+    /// A point of a function that is not given in its axis' coordinate.
+    NotAPoint(String),
     /// The model has no run.
     NoRuns,
     /// A run whose balls are not nominally the bar's length apart: the length, what they are apart instead.
@@ -108,10 +122,17 @@ impl fmt::Display for ProblemKind {
             Self::Meaning(meaning) => fmt::Display::fmt(meaning, f),
             Self::NotACondition => write!(f, "not a linear homogeneous condition on f"),
             Self::NoBasis(why) => fmt::Display::fmt(why, f),
+            Self::NotARange => write!(f, "not a range"),
+            Self::NotALimit(name) => write!(f, "`{name}` is not the limit of an error or a length of this machine"),
+            Self::NotASize => write!(f, "not a size"),
+            Self::NotAnAssumption => write!(f, "not a linear homogeneous condition on parameters"),
+            Self::NothingToAssume(name) => write!(f, "`{name}` is nothing that could be assumed here"),
+            Self::NotAPoint(_) => write!(f, "not a point of the function's axis"),
             Self::NoRuns => write!(f, "the model has no run"),
             Self::NoAngle(letter, other, axis) => {
                 write!(f, "a rotation {letter} does not change the angle between {other} and {axis}")
             }
+            Self::OwnReference(axis) => write!(f, "axis {axis} has no angle to itself"),
             Self::CarriedReference(other, axis) => write!(f, "axis {other} is carried by {axis} and turns with it"),
             Self::TurnedReference(other, letter) => {
                 write!(f, "axis {other} has an orientation error E{letter}0{other} itself")
@@ -151,6 +172,8 @@ impl ProblemKind {
                 | Self::NoCoordinate(_)
                 | Self::NoAngle(..)
                 | Self::NothingToEstimate(_)
+                | Self::NothingToAssume(_)
+                | Self::NotALimit(_)
                 | Self::NoRuns
         )
     }
@@ -193,6 +216,7 @@ impl ProblemKind {
                     .into()
             }
             Self::NoAngle(..) => "use the component about an axis that is square to both, or drop the reference".into(),
+            Self::OwnReference(axis) => format!("name another axis: EC(0X){axis} is the squareness of {axis} to X"),
             Self::CarriedReference(other, axis) => format!("declare the angle on {other}, against {axis}"),
             Self::TurnedReference(..) => "a reference defines the direction: drop its error or choose another".into(),
             Self::NotTheBar(..) => "path and balls must keep the bar's length: check `at` and both balls".into(),
@@ -220,6 +244,18 @@ impl ProblemKind {
             Self::NothingToEstimate(_) => "give it a polynomial or a Fourier sum under [function]".into(),
             Self::NotACondition => "for example \"f(0) = 0\", \"f(2*pi) = f(0)\", \"f'(2*pi) = f'(0)\"".into(),
             Self::NoBasis(NoBasis::OnlyZero) => "raise the degree or drop a condition".into(),
+            Self::NotARange => "two numbers, the lower first: [-30, 120], in degrees of a rotary axis, mm of a linear one".into(),
+            Self::NotALimit(_) => {
+                "`length_um`, `angle_urad`, an error's name and unit (`EXC_um`, `EAA_urad`), or a constant's (`L_mm`)".into()
+            }
+            Self::NotASize => "a finite number, 0 or above".into(),
+            Self::NotAnAssumption => "for example \"0\", \"EYC_sin1\", \"2*L*ECC_cos2\", \"0 at c = 0\"".into(),
+            Self::NothingToAssume(_) => {
+                "location and set-up errors have their names, coefficients a number (EYY1, EAA_cos1); a function is \"0\", \
+                 or something at a point of its axis"
+                    .into()
+            }
+            Self::NotAPoint(letter) => format!("the axis' letter and its coordinate, mm or rad: `{letter} = 0`"),
             Self::NoRuns => "describe at least one under [run.NAME]".into(),
             Self::Meaning(Meaning::UnknownName(_)) => "the sweep of this run, `pi`, or one of `constants`".into(),
             Self::Meaning(Meaning::UnknownFunction(_)) => "expected sin, cos or sqrt".into(),

@@ -13,7 +13,10 @@ pub(super) fn problems(model: &Model) -> Vec<Problem> {
 }
 
 fn wrong(model: &Model, axis: &Axis, reference: &Reference) -> Option<ProblemKind> {
-    let Some(other) = model.axes().find(|a| a.name == reference.axis && a.name != axis.name) else {
+    if reference.axis == axis.name {
+        return Some(ProblemKind::OwnReference(axis.name.clone()));
+    }
+    let Some(other) = model.axes().find(|a| a.name == reference.axis) else {
         return Some(ProblemKind::UnknownAxis(reference.axis.clone()));
     };
     let carries = |lower: &Axis, upper: &Axis| {

@@ -9,9 +9,10 @@ pub use render::{Colour, render};
 
 use crate::algebra::Alphabet;
 use crate::emit::equations::{Printer, Style};
+use crate::expression::Meaning;
 use crate::identify::{Derivation, DeriveError, derive};
 use crate::measurement::{Length, ReadingError};
-use crate::model::{Model, Problem, ProblemKind, ReadingKind, Run, read};
+use crate::model::{Assumption, Model, Problem, ProblemKind, ReadingKind, Run, read};
 
 /// Reads and derives a model file.
 ///
@@ -50,6 +51,12 @@ pub fn of_derivation(model: &Model, error: &DeriveError) -> Vec<Problem> {
                 problems.push(Problem { span: run.places[0].clone(), kind });
             }
             problems
+        }
+        DeriveError::AssumptionDivides(texts) => {
+            let of = |a: &&Assumption| texts.contains(&a.text);
+            let problem =
+                |a: &Assumption| Problem { span: a.place.clone(), kind: ProblemKind::Meaning(Meaning::Divisor) };
+            model.assumptions.iter().filter(of).map(problem).collect()
         }
         DeriveError::UnknownParameter(text) => {
             vec![Problem { span: text.span.clone(), kind: ProblemKind::UnknownParameter(text.value.clone()) }]

@@ -1,7 +1,9 @@
 //! Every model of the catalogue: its equations for review, and its derivation against numbers.
 
 mod derivative;
+mod harmonics;
 mod numbers;
 mod printed;
 mod rank;
 mod snapshots;
+mod written;

@@ -24,7 +24,7 @@ fn expected(model: &Model, derivation: &Derivation, run: RunId, sweep: f64) -> V
     let nominal = |id| nominal_value(id, &model.alphabet, sweep, millimetres);
     let value = |p: &Poly| p.evaluate(nominal, |_| 0.0);
     let size = |p: &Poly| {
-        let term = |t: &(_, _)| value(&Poly::from_terms(vec![*t]).unwrap()).abs();
+        let term = |t: &(_, _)| value(&Poly::from_terms(vec![t.clone()]).unwrap()).abs();
         p.terms().iter().map(term).sum::<f64>()
     };
     let quotient = |f: &Fraction| {

@@ -24,7 +24,7 @@ pub fn tilting() -> Case {
     let mut g = Graph::new();
     let [radius, a] = g.inputs();
     let (s, c) = (g.sin(a), g.cos(a));
-    let mut row = |r, m, n| g.monomial(Rational::from_integer(1), &[(radius, r), (s, m), (c, n)]);
+    let mut row = |r, m, n| g.monomial(Rational::from(1), &[(radius, r), (s, m), (c, n)]);
     let mut elements = vec![
         ("k1", row(2, 3, 0)),
         ("k2", row(3, 2, 2)),
@@ -35,7 +35,7 @@ pub fn tilting() -> Case {
         ("k7", row(0, 0, 1)),
         ("k8", row(1, 0, 0)),
     ];
-    let term = |g: &mut Graph, k: i128, pi: i32, n: i32| g.monomial(Rational::from_integer(k), &[(Id::PI, pi), (a, n)]);
+    let term = |g: &mut Graph, k: i128, pi: i32, n: i32| g.monomial(Rational::from(k), &[(Id::PI, pi), (a, n)]);
     let quartic = [term(&mut g, 1, 0, 4), term(&mut g, -2, 1, 3), term(&mut g, -2, 2, 2), term(&mut g, 4, 3, 1)];
     let cubic = [term(&mut g, 1, 0, 3), term(&mut g, -3, 1, 2), term(&mut g, 2, 2, 1)];
     for (name, terms) in [("e_xa1", quartic.as_slice()), ("e_xa2", cubic.as_slice())] {
@@ -57,14 +57,14 @@ pub fn strut() -> Case {
     let squares = [x, y, z].map(|u| g.power(u, 2));
     let sum = g.sum(&squares);
     let length = g.sqrt(sum);
-    let lean = g.linear(&[(Rational::from_integer(2), y), (Rational::from_integer(-1), z)]);
+    let lean = g.linear(&[(Rational::from(2), y), (Rational::from(-1), z)]);
     let (sin, cos) = (g.sin(lean), g.cos(lean));
     let third = Rational::new(1, 3);
     let along = g.quotient(x, length);
-    let first = g.linear(&[(Rational::from_integer(1), length), (Rational::from_integer(-1), base)]);
+    let first = g.linear(&[(Rational::from(1), length), (Rational::from(-1), base)]);
     let turned = g.product(&[sin, along, Id::SQRT_2]);
-    let second = g.linear(&[(third, turned), (Rational::from_integer(1), cos)]);
-    let third = g.monomial(-third, &[(y, 1), (z, 1), (sum, -1)]);
+    let second = g.linear(&[(third.clone(), turned), (Rational::from(1), cos)]);
+    let third = g.monomial(-&third, &[(y, 1), (z, 1), (sum, -1)]);
     let residual = [first, second, third];
     let columns = [x, y, z].map(|u| g.derivatives(&residual, u));
     let jacobian: [[Id; 3]; 3] = std::array::from_fn(|r| std::array::from_fn(|c| columns[c][r]));

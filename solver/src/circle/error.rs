@@ -20,6 +20,8 @@ pub enum CircleError {
     AllEqual,
     /// All points are on one straight line.
     InLine,
+    /// Two parallel lines enclose the points more closely than any two concentric circles: no zone is the narrowest.
+    BetweenLines,
     /// The iteration does not settle: the points are not near one circle.
     NoConvergence,
 }
@@ -31,6 +33,9 @@ impl fmt::Display for CircleError {
             Self::NotFinite { point } => write!(f, "point {} has a coordinate that is not a finite number", point + 1),
             Self::AllEqual => f.write_str("all points are equal: there is no circle through them"),
             Self::InLine => f.write_str("the points are on a straight line: there is no circle through them"),
+            Self::BetweenLines => f.write_str(
+                "the points lie closer between two parallel lines than between any two circles about one centre",
+            ),
             Self::NoConvergence => f.write_str("the points are not near one circle"),
         }
     }

@@ -12,12 +12,19 @@ const MOST: u32 = 200;
 pub struct CircleFit<T> {
     /// The circle.
     pub circle: Circle<T>,
-    /// Covariance of centre x, centre y and radius, mm², from the deviations themselves; zero with three points.
-    pub covariance: SMatrix<T, 3, 3>,
-    /// Standard deviation of the radial deviations, `sqrt(Σd²/(n − 3))`, mm; zero with three points.
-    pub residual_std: T,
+    /// What the deviations say of it; nothing with three points, which any circle through them fits.
+    pub scatter: Option<Scatter<T>>,
     /// Smallest and largest distance of a point from the centre, mm.
     pub radii: (T, T),
+}
+
+/// How far points scatter about their circle, and how well they so determine it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scatter<T> {
+    /// Covariance of centre x, centre y and radius, mm².
+    pub covariance: SMatrix<T, 3, 3>,
+    /// Standard deviation of the radial deviations, `sqrt(Σd²/(n − 3))`, mm.
+    pub residual_std: T,
 }
 
 impl<T: Real> CircleFit<T> {
@@ -59,7 +66,7 @@ pub fn least_squares<T: Real>(points: &[Point<T>]) -> Result<CircleFit<T>, Circl
 }
 
 /// Middle and half extent of the points.
-fn placed<T: Real>(points: &[Point<T>]) -> Result<(Point<T>, T), CircleError> {
+pub(super) fn placed<T: Real>(points: &[Point<T>]) -> Result<(Point<T>, T), CircleError> {
     if let Some(point) = points.iter().position(|[x, y]| !(x.is_finite() && y.is_finite())) {
         return Err(CircleError::NotFinite { point });
     }
@@ -116,11 +123,13 @@ fn finish<T: Real>(
     let centre = [origin[0] + scale * local.centre[0], origin[1] + scale * local.centre[1]];
     let circle = Circle { centre, radius: scale * local.radius };
     let factor = linearised(points.iter().copied(), &circle)?;
-    let estimate = match factor.samples() {
-        3 => factor.solve_with_sigma(T::zero()),
-        _ => factor.solve(),
+    let scatter = match factor.samples() {
+        3 => None,
+        _ => {
+            let estimate = factor.solve().map_err(|_| CircleError::InLine)?;
+            Some(Scatter { covariance: estimate.covariance, residual_std: estimate.residual_std })
+        }
     };
-    let estimate = estimate.map_err(|_| CircleError::InLine)?;
     let radii = extremes(points, &centre);
-    Ok(CircleFit { circle, covariance: estimate.covariance, residual_std: estimate.residual_std, radii })
+    Ok(CircleFit { circle, scatter, radii })
 }

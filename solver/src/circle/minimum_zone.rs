@@ -1,25 +1,31 @@
 //! The minimum-zone circle: two concentric circles that enclose all points, as near to each other as can be.
 
-use super::{CircleError, CircleFit, Point, Zone, exchange, least_squares};
+use super::least_squares::placed;
+use super::search::Cloud;
+use super::{CircleError, CircleFit, Point, Zone, least_squares};
 use crate::Real;
 
-/// The minimum-zone circle by exchange of contacts, from the least-squares circle.
+/// The minimum-zone circle: of all pairs of concentric circles around the points, the two that are nearest to each other.
 ///
-/// A radius seen from a centre that moves a little changes by a sine and a cosine of the point's angle: the zone is a
-/// Chebyshev approximation by 1, cos and sin, held by four points that alternate. Each step puts the point that violates
-/// most in the place of the neighbour on its side; the centre is where the bisectors of the outer and of the inner
-/// pair meet. The result is [checked](Zone::is_minimal) before it is given.
+/// A zone that no move of the centre narrows is held by two points from outside and two from inside, in turn. Scattered points
+/// have several such zones; all are looked at, not only the one next to the least-squares circle. Time grows with the
+/// square of the number of points where they are near a circle, with its cube at worst.
 ///
 /// # Errors
-/// [`CircleError`].
+/// [`CircleError`]; [`CircleError::BetweenLines`] where the narrowest zone would have its centre at infinity.
 pub fn minimum_zone<T: Real>(points: &[Point<T>]) -> Result<Zone<T>, CircleError> {
-    let fit = least_squares(points)?;
-    let slack = T::of(64.0) * T::epsilon() * (fit.radii.1 + fit.circle.centre[0].abs() + fit.circle.centre[1].abs());
-    if fit.roundness() <= slack {
-        return Ok(round(&fit));
+    let (origin, scale) = placed(points)?;
+    let cloud = Cloud { points, origin, scale };
+    match least_squares(points) {
+        Ok(fit) if fit.roundness() <= slack(&fit) => Ok(round(&fit)),
+        Err(CircleError::InLine) => Err(CircleError::InLine),
+        _ => cloud.narrowest(),
     }
-    let zone = exchange::run(points, &fit.circle.centre, slack).ok_or(CircleError::NoConvergence)?;
-    if zone.is_minimal(points, slack) { Ok(zone) } else { Err(CircleError::NoConvergence) }
+}
+
+/// What rounding leaves of radii.
+fn slack<T: Real>(fit: &CircleFit<T>) -> T {
+    T::of(64.0) * T::epsilon() * (fit.radii.1 + fit.circle.centre[0].abs() + fit.circle.centre[1].abs())
 }
 
 /// Points on one circle.

@@ -12,15 +12,15 @@
 //! ```
 
 mod error;
-mod exchange;
 mod least_squares;
 mod minimum_zone;
+mod search;
 mod zone;
 
 use crate::Real;
 
 pub use error::CircleError;
-pub use least_squares::{CircleFit, least_squares};
+pub use least_squares::{CircleFit, Scatter, least_squares};
 pub use minimum_zone::minimum_zone;
 pub use zone::Zone;
 

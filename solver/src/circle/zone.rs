@@ -50,19 +50,19 @@ pub(super) fn take<T: Real>(points: &[Point<T>], at: [usize; 4]) -> Option<[Poin
 }
 
 /// Whether four points are met in turn when going round the centre once.
-fn in_turn<T: Real>(centre: &Point<T>, held: &[Point<T>; 4]) -> bool {
+pub(super) fn in_turn<T: Real>(centre: &Point<T>, held: &[Point<T>; 4]) -> bool {
     let first = angle(centre, &held[0]);
     let [_, b, c, d] = held.map(|p| ahead(first, angle(centre, &p)));
     b > T::zero() && b < c && c < d
 }
 
 /// The direction of a point seen from a centre.
-pub(super) fn angle<T: Real>(centre: &Point<T>, point: &Point<T>) -> T {
+fn angle<T: Real>(centre: &Point<T>, point: &Point<T>) -> T {
     (point[1] - centre[1]).atan2(point[0] - centre[0])
 }
 
 /// How far an angle is ahead of another, in [0, 2π).
-pub(super) fn ahead<T: Real>(from: T, to: T) -> T {
+fn ahead<T: Real>(from: T, to: T) -> T {
     let turn = T::of(core::f64::consts::TAU);
     let ahead = (to - from) % turn;
     if ahead < T::zero() { ahead + turn } else { ahead }

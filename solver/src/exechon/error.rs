@@ -36,6 +36,8 @@ pub enum MachineError {
     NotFinite(Dimension),
     /// Zero or negative where a length must be positive.
     NotPositive(Dimension),
+    /// So large that the lengths at home are no finite numbers.
+    TooLarge(Dimension),
     /// The struts do not reach from gimbal to platform at home.
     HomeUnreachable,
     /// At home the tool points along the C axis: the A axis has no branch.
@@ -176,6 +178,7 @@ impl fmt::Display for MachineError {
         match self {
             Self::NotFinite(d) => write!(f, "{} is not a finite number", d.name()),
             Self::NotPositive(d) => write!(f, "{} is not positive", d.name()),
+            Self::TooLarge(d) => write!(f, "{} is so large that the machine's lengths are no finite numbers", d.name()),
             Self::HomeUnreachable => f.write_str("strut_mm at home is too short to reach from xu_mm to xr_mm"),
             Self::HomeSingular => {
                 f.write_str("a_deg at home points the tool along the C axis, where the A axis has no branch")

@@ -27,8 +27,7 @@ impl<T: Real> Machine<T> {
         let root = newton::solve(&start.platform, self.home().struts_mean(), |[x, y, z]| {
             let (lengths, jacobian) = equations::struts(d.xu, d.ys2, d.xr, d.yr5, *x, *y, *z);
             (plus(&lengths, -T::one(), &joints.struts), jacobian)
-        })
-        .map_err(|lost| lost.error)?;
+        })?;
         if root.at[2] <= T::zero() {
             return Err(KinematicsError::BehindBase { z: root.at[2] });
         }

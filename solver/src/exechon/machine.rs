@@ -1,5 +1,6 @@
 //! A machine of known dimensions.
 
+use super::vector::finite;
 use super::{
     Dimension, Frame, Joints, KinematicsError, Limit, Limits, MachineError, Pose, Singularity, Vector, equations,
 };
@@ -53,7 +54,10 @@ impl<T: Real> Machine<T> {
         check(&dimensions, &home, &limits)?;
         let aside = dimensions.xu - dimensions.xr;
         let height = home.strut * home.strut - aside * aside;
-        if !(height > T::zero() && height.is_finite()) {
+        if !height.is_finite() {
+            return Err(MachineError::TooLarge(largest(&dimensions, &home)));
+        }
+        if height <= T::zero() {
             return Err(MachineError::HomeUnreachable);
         }
         if home.a.sin().abs() <= T::epsilon().sqrt() {
@@ -66,6 +70,9 @@ impl<T: Real> Machine<T> {
             Pose { point: nowhere, platform, axes: [nowhere; 3], spindle: [nowhere; 3], joints: unset, iterations: 0 };
         let mut machine = Self { dimensions, limits, home: blank };
         let joints = Joints { struts: machine.struts(&platform), ..unset };
+        if !finite(&joints.struts) {
+            return Err(MachineError::TooLarge(largest(&dimensions, &home)));
+        }
         machine.home = machine.assemble(&platform, &joints).map_err(|_| MachineError::HomeUnreachable)?;
         Ok(machine)
     }
@@ -114,8 +121,8 @@ impl<T: Real> Pose<T> {
     }
 }
 
-fn check<T: Real>(d: &Dimensions<T>, home: &Home<T>, limits: &Limits<T>) -> Result<(), MachineError> {
-    let all = [
+fn named<T: Real>(d: &Dimensions<T>, home: &Home<T>) -> [(T, Dimension); 10] {
+    [
         (d.xu, Dimension::Xu),
         (d.ys2, Dimension::Ys2),
         (d.xr, Dimension::Xr),
@@ -126,7 +133,19 @@ fn check<T: Real>(d: &Dimensions<T>, home: &Home<T>, limits: &Limits<T>) -> Resu
         (d.tz, Dimension::Tz),
         (home.strut, Dimension::HomeStrut),
         (home.a, Dimension::HomeA),
-    ];
+    ]
+}
+
+fn largest<T: Real>(d: &Dimensions<T>, home: &Home<T>) -> Dimension {
+    let start = (T::zero(), Dimension::HomeStrut);
+    named(d, home)
+        .into_iter()
+        .fold(start, |most, next| if next.0.abs() > most.0 { (next.0.abs(), next.1) } else { most })
+        .1
+}
+
+fn check<T: Real>(d: &Dimensions<T>, home: &Home<T>, limits: &Limits<T>) -> Result<(), MachineError> {
+    let all = named(d, home);
     for (value, dimension) in all {
         if !value.is_finite() {
             return Err(MachineError::NotFinite(dimension));

@@ -39,6 +39,7 @@ mod inverse;
 mod limits;
 mod machine;
 mod newton;
+mod pole;
 mod pose;
 mod rotation;
 mod target;

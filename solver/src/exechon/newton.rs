@@ -13,13 +13,6 @@ pub(super) struct Root<T> {
     pub iterations: u32,
 }
 
-/// Why an iteration has none.
-pub(super) struct Lost<T> {
-    pub error: KinematicsError<T>,
-    /// Where it was last.
-    pub at: Vector<T>,
-}
-
 /// Finds where `equations` (residual, Jacobian by rows) vanish, from `start`. Steps are held to `reach`, mm: the
 /// equations' own length.
 ///
@@ -30,13 +23,13 @@ pub(super) fn solve<T: Real>(
     start: &Vector<T>,
     reach: T,
     equations: impl Fn(&Vector<T>) -> (Vector<T>, [Vector<T>; 3]),
-) -> Result<Root<T>, Lost<T>> {
+) -> Result<Root<T>, KinematicsError<T>> {
     let small = T::epsilon().sqrt() * reach * T::of(1.0 / 64.0);
     let (mut at, mut size) = (*start, T::infinity());
     for iterations in 1..=MOST {
         let (residual, jacobian) = equations(&at);
         let Some(step) = divide(&residual, &jacobian) else {
-            return Err(Lost { error: KinematicsError::Singular(Singularity::Jacobian), at });
+            return Err(KinematicsError::Singular(Singularity::Jacobian));
         };
         size = norm(&step);
         let held = if size > reach { reach / size } else { T::one() };
@@ -48,7 +41,7 @@ pub(super) fn solve<T: Real>(
             return Ok(Root { at, iterations });
         }
     }
-    Err(Lost { error: KinematicsError::NoConvergence { iterations: MOST, step: size }, at })
+    Err(KinematicsError::NoConvergence { iterations: MOST, step: size })
 }
 
 /// J⁻¹ f by cofactors; none if J has no inverse worth the name.

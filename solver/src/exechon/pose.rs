@@ -50,6 +50,15 @@ pub struct Pose<T> {
 }
 
 impl Branch {
+    /// The other solution's.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Negative => Self::Positive,
+            Self::Positive => Self::Negative,
+        }
+    }
+
     pub(super) fn of<T: Real>(a: T) -> Self {
         if a.sin() < T::zero() { Self::Negative } else { Self::Positive }
     }

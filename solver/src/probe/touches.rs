@@ -33,8 +33,8 @@ pub struct OffsetFit<T> {
     pub radius: T,
     /// Covariance of ox, oy, centre x, centre y and radius, mm².
     pub covariance: SMatrix<T, UNKNOWN, UNKNOWN>,
-    /// Standard deviation of the residuals, mm; zero without degrees of freedom.
-    pub residual_std: T,
+    /// Standard deviation of the residuals, mm; none where five touches leave no residual.
+    pub residual_std: Option<T>,
 }
 
 /// Fits |pᵢ + Rot(turnedᵢ)·o − c| = ρ for the offset o, the centre c and the radius ρ: E(8) for all touches together,
@@ -69,7 +69,7 @@ pub fn offset<T: Real>(touches: &[Touch<T>], sigma: T) -> Result<OffsetFit<T>, P
                 return Err(ProbeError::NotSeparated);
             }
             let covariance = unit.map(|v| v * sigma * sigma);
-            let residual_std = factor.solve().map_or(T::zero(), |fit| fit.residual_std);
+            let residual_std = factor.solve().ok().map(|fit| fit.residual_std);
             return Ok(OffsetFit { offset, centre, radius, covariance, residual_std });
         }
     }

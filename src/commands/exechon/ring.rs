@@ -8,6 +8,7 @@ use serde_json::json;
 use std::path::PathBuf;
 use trunnion::data::Unit;
 use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
+use trunnion_solver::circle::Scatter;
 
 /// Arguments of `ring`.
 #[derive(Debug, Args)]
@@ -61,11 +62,11 @@ impl RingArguments {
                 "path_diameter_mm": 2.0 * fit.circle.radius,
                 "diameter_mm": report.diameter(self.stylus),
                 "roundness_mm": fit.roundness(),
-                "residual_std_mm": fit.residual_std,
-                "standard_uncertainty_mm": {
-                    "centre": [fit.covariance[(0, 0)].sqrt(), fit.covariance[(1, 1)].sqrt()],
-                    "diameter": 2.0 * fit.covariance[(2, 2)].sqrt(),
-                },
+                "residual_std_mm": fit.scatter.map(|scatter| scatter.residual_std),
+                "standard_uncertainty_mm": fit.scatter.map(|Scatter { covariance, .. }| json!({
+                    "centre": [covariance[(0, 0)].sqrt(), covariance[(1, 1)].sqrt()],
+                    "diameter": 2.0 * covariance[(2, 2)].sqrt(),
+                })),
             },
             "minimum_zone": {
                 "centre_mm": zone.centre,

@@ -1,6 +1,7 @@
 //! The plan for a program.
 
 use super::found::Found;
+use crate::commands::document;
 use serde_json::{Value, json};
 use trunnion::study::plan::{Compared, Predicted};
 use trunnion_codegen::ids::{BaseId, ParameterId};
@@ -53,13 +54,13 @@ fn object(line: &Compared) -> Value {
             let name = |b: &BaseId| setup.derivation.base[*b].name.clone();
             let function = |f: &Predicted| {
                 let unit = setup.quantity(f.function).deviation();
-                json!({
+                let object = json!({
                     "name": setup.function_name(f.function),
                     "unit": unit.suffix(),
                     "largest_std": f.largest.map(|l| unit.from_inner(l.std)),
                     "largest_u95": f.largest.map(|l| unit.from_inner(l.u95)),
-                    "seen_together": f.together.iter().map(name).collect::<Vec<_>>(),
-                })
+                });
+                document::with_told(object, &f.told)
             };
             value["rank"] = json!(setup.derivation.rank());
             value["condition"] = json!(prediction.condition);

@@ -9,6 +9,7 @@ use super::Refused;
 use super::model::{load, others, source};
 use super::output::print;
 use super::predicted::{self, Measuring};
+use super::stated::RangeArguments;
 use clap::Args;
 use trunnion::data::Radius;
 use trunnion::study::SetupError;
@@ -23,18 +24,21 @@ use trunnion_codegen::problems::derivation;
 pub struct PlanArguments {
     /// A name from the catalogue, or a model file.
     model: String,
-    /// Nominal lengths of the ball-bar to compare, mm; 100, 150 and 300 if none is given.
-    #[arg(long, value_name = "MM", value_delimiter = ',', num_args = 1.., allow_negative_numbers = true)]
+    /// Nominal lengths of the ball-bar to compare, mm, joined by commas or one at a time; 100, 150 and 300 if none is given.
+    #[arg(long, value_name = "MM", value_delimiter = ',', allow_negative_numbers = true)]
     radius: Vec<f64>,
     /// Another length of the set-up, mm.
     #[arg(long = "set", value_name = "NAME=MM")]
     lengths: Vec<String>,
-    /// Ranges of the sweeps to compare, degrees; the full turn, -20:200 and -90:90 if none is given.
-    #[arg(long, value_name = "A:B", num_args = 1.., value_parser = predicted::range, allow_hyphen_values = true)]
+    /// Ranges of the sweeps to compare, degrees, joined by commas or one at a time; the full turn, -20:200 and -90:90 if none
+    /// is given. Runs go as far as the ranges of their axes let them.
+    #[arg(long, value_name = "A:B", value_delimiter = ',', value_parser = predicted::range, allow_hyphen_values = true)]
     range_deg: Vec<(f64, f64)>,
     /// A run to leave out, several joined by commas to leave them out together; each run in turn if none is given.
-    #[arg(long, value_name = "RUN", num_args = 1..)]
+    #[arg(long, value_name = "RUN")]
     without: Vec<String>,
+    #[command(flatten)]
+    ranges: RangeArguments,
     #[command(flatten)]
     measuring: Measuring,
     /// Print one JSON object.
@@ -48,7 +52,8 @@ const RANGES: [(f64, f64); 3] = [(0.0, 360.0), (-20.0, 200.0), (-90.0, 90.0)];
 impl PlanArguments {
     /// Compares, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let model = load(&self.model)?;
+        let mut model = load(&self.model)?;
+        self.ranges.apply(&mut model)?;
         let (_, text_of_model) = source(&self.model)?;
         let derivation = derivation(&model).map_err(SetupError::Description)?;
         let comparison = self.comparison(&model)?;

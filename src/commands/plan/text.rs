@@ -4,9 +4,8 @@ use super::found::Found;
 use crate::commands::predicted;
 use std::fmt::Write;
 use trunnion::study::WARN_CONDITION;
-use trunnion::study::plan::{Addition, Compared};
-use trunnion_codegen::emit::equations;
-use trunnion_codegen::ids::BaseId;
+use trunnion::study::plan::{Addition, Compared, Predicted};
+use trunnion_codegen::identify::Extent;
 
 /// The comparison and what cannot be told apart, for reading at a terminal.
 pub fn text(found: &Found) -> String {
@@ -40,18 +39,14 @@ pub fn text(found: &Found) -> String {
                     prediction.condition
                 );
                 for f in &prediction.functions {
-                    let mark = if f.together.is_empty() { "" } else { "*" };
-                    let _ = write!(out, "; {}{mark}", predicted::function(setup, f));
+                    let _ = write!(out, "; {}", predicted::function(setup, f));
                 }
                 out.push('\n');
             }
         }
     }
-    let _ = writeln!(
-        out,
-        "  ! condition above {WARN_CONDITION}: hardly told apart\n  * its coefficients are seen only together with other errors"
-    );
-    out += &together(compared.iter().filter(|l| found.named || l.without.is_empty()));
+    let _ = writeln!(out, "  ! condition above {WARN_CONDITION}: hardly told apart");
+    out += &not_determined(compared.iter().filter(|l| found.named || l.without.is_empty()));
     let _ = writeln!(
         out,
         "\nWhat all runs together cannot tell apart, and what each of the {tried} runs of the catalogue that fit this machine would separate"
@@ -95,13 +90,14 @@ fn kept(a: &Addition) -> &'static str {
     if a.ball_kept { ", the tool ball left in place," } else { "" }
 }
 
-/// For each subset of runs, what its functions' coefficients stand for.
-fn together<'a>(lines: impl Iterator<Item = &'a Compared>) -> String {
+/// For each subset of runs, the functions that it does not determine, and how far it does.
+fn not_determined<'a>(lines: impl Iterator<Item = &'a Compared>) -> String {
     let mut out = String::new();
     let mut said: Vec<&Vec<String>> = Vec::new();
     for line in lines {
         let Ok((setup, prediction)) = &line.outcome else { continue };
-        let held: Vec<BaseId> = prediction.functions.iter().flat_map(|f| f.together.iter().copied()).collect();
+        let held: Vec<&Predicted> =
+            prediction.functions.iter().filter(|f| f.told.extent != Extent::Determined).collect();
         if held.is_empty() || said.contains(&&line.without) {
             continue;
         }
@@ -111,11 +107,9 @@ fn together<'a>(lines: impl Iterator<Item = &'a Compared>) -> String {
         } else {
             format!("Without {}", line.without.join(", "))
         };
-        let _ = writeln!(out, "\n{runs}: estimated are");
-        for b in held {
-            let base = &setup.derivation.base[b];
-            let _ =
-                writeln!(out, "  {} as {}", base.name, equations::definition(&setup.model, &setup.derivation, base));
+        let _ = writeln!(out, "\n{runs}:");
+        for f in held {
+            let _ = writeln!(out, "  {}: {}", setup.function_name(f.function), f.told.words);
         }
     }
     out

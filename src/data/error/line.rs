@@ -59,6 +59,12 @@ pub enum FieldProblem {
         /// The field, or its beginning.
         text: String,
     },
+    /// A negative uncertainty.
+    #[error("a negative uncertainty in column {column}\n  expected a standard uncertainty, 0 or above")]
+    Negative {
+        /// The field's column.
+        column: String,
+    },
     /// A comma within a number.
     #[error("{text:?} in column {column} has a decimal comma\n  expected a decimal point, such as 12.5")]
     DecimalComma {

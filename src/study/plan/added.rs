@@ -101,7 +101,8 @@ fn fitted(
     let name = format!("{}-of-{}", run.name.value, other_model.name);
     let ball = |ball: &DraftBall| DraftBall {
         at: ball.at.iter().map(unplaced).collect(),
-        setup: ball.setup.iter().map(|t| Text::from(format!("{}-of-{name}", t.value))).collect(),
+        // A name in formulas: no hyphens.
+        setup: ball.setup.iter().map(|t| Text::from(format!("{}_of_{name}", t.value).replace('-', "_"))).collect(),
     };
     let mut added = run.clone();
     added.at = model.axes().map(at).collect();

@@ -3,7 +3,8 @@
 //! The covariance of a least-squares estimate depends on where the samples are and on the noise, not on the readings: it is
 //! that of a fit of readings of zero with a known standard deviation.
 
-use crate::study::{EstimateError, Estimator, Observation, Setup, Variance, fit_with, grid};
+use crate::study::visited::{between, visited};
+use crate::study::{EstimateError, Estimator, Observation, Seen, Setup, Told, Variance, fit_with, grid};
 use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_solver::lstsq::student_t_95;
 
@@ -43,8 +44,8 @@ pub struct Predicted {
     pub function: FunctionId,
     /// Its uncertainty where that is largest; `None` if no run sees it.
     pub largest: Option<Largest>,
-    /// Base parameters of its coefficients that hold other errors too: what is estimated is their sum.
-    pub together: Vec<BaseId>,
+    /// How far it is determined.
+    pub told: Told,
 }
 
 /// The largest uncertainty over the range.
@@ -58,46 +59,32 @@ pub struct Largest {
     pub u95: f64,
 }
 
-/// Points of a function's range that are looked at.
-const POINTS: usize = 361;
+/// Steps between the points of a function's range that are looked at.
+const POINTS: usize = 360;
 
 /// Predicts what all runs of a model would give.
 ///
 /// # Errors
 /// [`EstimateError`] where such samples do not determine the base parameters.
 pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, EstimateError> {
-    let sweeps = grid(intended.samples, intended.range);
-    let zero = |run| Observation::zero(setup, run, &sweeps);
+    let sweeps = |run| grid(intended.samples, setup.sweep_range(run, intended.range));
+    let zero = |run| Observation::zero(setup, run, &sweeps(run));
     let observations: Vec<Observation> = setup.model.runs.keys().map(zero).collect();
     let fit = fit_with(setup, &observations, estimator, Variance::Known(intended.sigma))?;
     let t = student_t_95::<f64>(fit.degrees_of_freedom);
-    let function = |function: FunctionId| {
-        let points = points(setup, function, intended);
-        let std = |x: &f64| (*x, fit.function(setup, function, *x).1);
-        let largest = points.iter().map(std).max_by(|a, b| a.1.total_cmp(&b.1));
-        let own = |b: &BaseId| setup.derivation.base[*b].estimates.is_some_and(|c| c.function == function);
-        let coefficients: Vec<BaseId> = fit.base.iter().copied().filter(own).collect();
-        let seen = !coefficients.is_empty();
-        Predicted {
-            function,
-            largest: largest.filter(|_| seen).map(|(at, std)| Largest { at, std, u95: t * std }),
-            together: coefficients.into_iter().filter(|&b| !setup.derivation.is_alone(b)).collect(),
-        }
+    let function = |seen: &Seen| {
+        let told = seen.told(setup);
+        let range = visited(setup, seen.function(), setup.model.runs.keys().map(|run| (run, sweeps(run))));
+        let points = range.into_iter().filter(|_| told.sum.is_some()).flat_map(|range| between(range, POINTS));
+        let std = |x: f64| (x, fit.function(setup, seen.function(), x).1);
+        let largest = points.map(std).max_by(|a, b| a.1.total_cmp(&b.1));
+        let largest = largest.map(|(at, std)| Largest { at, std, u95: t * std });
+        Predicted { function: seen.function(), largest, told }
     };
     Ok(Prediction {
         condition: fit.separation.condition,
         weakest: fit.separation.weakest.clone(),
         base: fit.base.iter().enumerate().map(|(i, &b)| (b, fit.covariance[(i, i)].max(0.0).sqrt())).collect(),
-        functions: setup.estimated().map(function).collect(),
+        functions: fit.functions().iter().map(function).collect(),
     })
-}
-
-/// Where the runs take a function's coordinate.
-fn points(setup: &Setup, function: FunctionId, intended: Intended) -> Vec<f64> {
-    let Some((axis, _)) = setup.model.axis_of(setup.model.functions[function].error) else { return Vec::new() };
-    let sweeps = grid(POINTS, intended.range);
-    let along = |run| setup.exact(run, &sweeps).run().coordinates(axis).flatten().collect::<Vec<_>>();
-    let at: Vec<f64> = setup.model.runs.keys().flat_map(along).collect();
-    let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
-    if low <= high { grid(POINTS, (low, high)).into_iter().chain([high]).collect() } else { Vec::new() }
 }

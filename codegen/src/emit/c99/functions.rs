@@ -109,8 +109,7 @@ fn push(
 
 fn value(printed: &mut Printed, estimated: EstimatedFunction, real: Precision, prefix: &str) {
     let (kind, upper) = (real.name(), prefix.to_uppercase());
-    // Not estimated by its coefficients, the function cannot be evaluated from what is.
-    let Some(places) = estimated.coefficients else { return };
+    let places = estimated.base;
     let function = estimated.basis;
     let inputs = c::inputs(&function);
     let name = c::identifier(&function.name);

@@ -70,7 +70,7 @@ impl<'a> Document<'a> {
         let mut groups: Vec<(Poly, Vec<(bool, ErrorId)>)> = Vec::new();
         for (errors, coefficient) in run.reading.by_errors() {
             let Some(error) = errors.errors().next() else { continue };
-            let negative = coefficient.printed().first().is_some_and(|(_, c)| *c < Rational::from(0));
+            let negative = coefficient.printed().first().is_some_and(|(_, c)| c.is_negative());
             let size = if negative { coefficient.negated() } else { coefficient };
             match groups.iter_mut().find(|(factor, _)| *factor == size) {
                 Some((_, members)) => members.push((negative, error)),
@@ -86,7 +86,7 @@ impl<'a> Document<'a> {
             let inner = self.printer.sum(members.iter().map(|(negative, e)| (*negative != flip, self.error(*e))));
             let inner = if members.len() > 1 { self.printer.parenthesised(&inner) } else { inner };
             let text = match factor.as_number() {
-                Some(n) if n == Rational::from(1) => inner,
+                Some(n) if n.is_one() => inner,
                 _ => self.printer.product(&[self.bracketed(factor), inner]),
             };
             (flip, text)

@@ -43,14 +43,21 @@ impl Arithmetic for Written<'_> {
     fn polynomial(&mut self, f: &Univariate) -> String {
         let terms = f.0.iter().enumerate().rev().filter(|(_, c)| !c.is_zero());
         let terms: Vec<(Fraction, usize)> = terms.map(|(n, c)| (Fraction::whole(c.clone()), n)).collect();
-        let constant = terms.iter().find(|(_, n)| *n == 0).map(|(f, _)| self.printer.fraction(f));
+        let constant = terms.iter().find(|(_, n)| *n == 0).map(|(f, _)| f);
         let powers = terms.iter().filter(|(_, n)| *n > 0).map(|(f, n)| (f, self.power(*n)));
         let powers = self.printer.combination(powers);
         match (constant, terms.len()) {
             (None, 0 | 1) => powers,
             (None, _) => self.printer.parenthesised(&powers),
-            (Some(c), 1) => c,
-            (Some(c), _) => self.printer.parenthesised(&format!("{powers} + {c}")),
+            (Some(c), 1) => self.printer.fraction(c),
+            (Some(c), _) => {
+                let negative = c.numerator().printed().first().is_some_and(|(_, c)| c.is_negative());
+                let (sign, size) = if negative { (self.printer.minus(), c.negated()) } else { ("+", c.clone()) };
+                let several = size.numerator().terms().len() > 1 && negative;
+                let size = self.printer.fraction(&size);
+                let size = if several { self.printer.parenthesised(&size) } else { size };
+                self.printer.parenthesised(&format!("{powers} {sign} {size}"))
+            }
         }
     }
 

@@ -1,9 +1,10 @@
 //! The document for programs: expressions in plain infix with `**`.
 
 use super::document::Document;
+use super::extent::remaining;
 use super::printer::Style;
 use crate::algebra::Fraction;
-use crate::identify::Derivation;
+use crate::identify::{Derivation, Extent};
 use crate::ids::ParameterId;
 use crate::model::Model;
 use serde_json::{Map, Value, json};
@@ -16,7 +17,16 @@ pub fn json(model: &Model, derivation: &Derivation) -> Value {
     let functions = model.functions.iter_enumerated().map(|(i, f)| {
         let x = d.coordinate(i);
         let expression = d.function(i, &x).unwrap_or_else(|| "known".to_owned());
-        json!({ "name": d.error(f.error), "coordinate": x, "expression": expression, "estimated": f.estimate })
+        let mut object = json!({
+            "name": d.error(f.error), "coordinate": x, "expression": expression, "estimated": f.estimate,
+        });
+        if let Some(determination) = derivation.functions.iter().find(|d| d.function == i) {
+            let up_to = remaining(model, derivation, determination);
+            let up_to = up_to.iter().map(|r| json!({ "term": r.term, "parameter": r.parameter, "factor": r.factor }));
+            object["determined"] = json!(determination.extent() == Extent::Determined);
+            object["up_to"] = json!(up_to.collect::<Vec<_>>());
+        }
+        object
     });
     let kernel = derivation.kernel.iter().map(|vector| {
         let entry = |(j, f): &(ParameterId, Fraction)| {
@@ -37,6 +47,7 @@ pub fn json(model: &Model, derivation: &Derivation) -> Value {
     });
     json!({
         "model": model.name,
+        "assumptions": model.assumptions.iter().map(|a| a.text.as_str()).collect::<Vec<_>>(),
         "rank": derivation.rank(),
         "coefficients": coefficients.collect::<Vec<_>>(),
         "functions": functions.collect::<Vec<_>>(),

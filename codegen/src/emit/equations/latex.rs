@@ -12,6 +12,9 @@ use core::fmt::Write;
 pub fn latex(model: &Model, derivation: &Derivation) -> String {
     let d = Document::new(model, derivation, Style::Latex);
     let mut out = format!("% {}: {}\n% lengths in mm, angles in rad\n", model.name, model.title);
+    for assumption in &model.assumptions {
+        let _ = writeln!(out, "% assumed: {}", assumption.text);
+    }
     let mut align = |lines: Vec<String>| {
         let _ = writeln!(out, "\\begin{{align}}\n{}\n\\end{{align}}", lines.join(" \\\\\n"));
     };

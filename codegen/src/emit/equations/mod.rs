@@ -1,6 +1,7 @@
 //! A derivation as a document: text and LaTeX for a reviewer, JSON for a program.
 
 mod document;
+mod extent;
 mod function;
 mod json;
 mod latex;
@@ -8,6 +9,7 @@ mod printer;
 mod text;
 
 pub use document::{definition, group};
+pub use extent::{Remaining, extent, remaining, seen_sum};
 pub use json::json;
 pub use latex::latex;
 pub use printer::{Printer, Style};

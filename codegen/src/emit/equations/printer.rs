@@ -1,6 +1,7 @@
 //! Polynomials and fractions as people write them.
 
 use crate::algebra::{Alphabet, Fraction, Monomial, Nominal, Poly, Rational};
+use num_traits::One;
 
 /// How an expression is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +26,7 @@ pub struct Printer<'a> {
 impl Printer<'_> {
     /// A polynomial, the terms of highest degree in the sweep first.
     pub fn poly(&self, p: &Poly) -> String {
-        self.sum(p.printed().into_iter().map(|(m, c)| (c < Rational::from(0), self.term(&m, &c))))
+        self.sum(p.printed().into_iter().map(|(m, c)| (c.is_negative(), self.term(&m, &c))))
     }
 
     /// A quotient.
@@ -43,10 +44,10 @@ impl Printer<'_> {
     pub fn combination<'n>(&self, terms: impl Iterator<Item = (&'n Fraction, String)>) -> String {
         self.sum(terms.map(|(factor, name)| {
             // A denominator's leading coefficient is 1: the numerator has the sign.
-            let negative = matches!(factor.numerator().terms(), [(_, c)] if *c < Rational::from(0));
+            let negative = matches!(factor.numerator().terms(), [(_, c)] if c.is_negative());
             let size = if negative { factor.negated() } else { factor.clone() };
             let text = match size.numerator().as_number().filter(|_| size.denominator().is_none()) {
-                Some(n) if n == Rational::from(1) => name,
+                Some(n) if n.is_one() => name,
                 _ if size.numerator().terms().len() > 1 && size.denominator().is_none() => {
                     self.product(&[self.parenthesised(&self.fraction(&size)), name])
                 }
@@ -60,7 +61,7 @@ impl Printer<'_> {
     pub fn sum(&self, terms: impl Iterator<Item = (bool, String)>) -> String {
         let mut out = String::new();
         for (negative, text) in terms {
-            let minus = if self.style == Style::Pretty { "−" } else { "-" };
+            let minus = self.minus();
             match (out.is_empty(), negative) {
                 (true, false) => {}
                 (true, true) => out.push_str(minus),
@@ -70,6 +71,11 @@ impl Printer<'_> {
             out.push_str(&text);
         }
         if out.is_empty() { "0".to_owned() } else { out }
+    }
+
+    /// The sign of a negative term.
+    pub fn minus(&self) -> &'static str {
+        if self.style == Style::Pretty { "−" } else { "-" }
     }
 
     /// Factors side by side.
@@ -88,7 +94,7 @@ impl Printer<'_> {
 
     /// A term without its sign.
     fn term(&self, m: &Monomial, c: &Rational) -> String {
-        let (n, d) = (c.numer().abs(), *c.denom());
+        let (n, d) = (c.abs().numer(), c.denom());
         let (mut above, mut below) = (Vec::new(), Vec::new());
         for (id, nominal) in self.alphabet.nominals() {
             let exponent = m.exponent(id);
@@ -98,10 +104,10 @@ impl Printer<'_> {
             }
         }
         above.extend(m.errors().map(|e| self.name(self.alphabet.error_name(e))));
-        if n != 1 || above.is_empty() {
+        if !n.is_one() || above.is_empty() {
             above.insert(0, n.to_string());
         }
-        if d != 1 {
+        if !d.is_one() {
             below.insert(0, d.to_string());
         }
         match (self.style, below.len()) {

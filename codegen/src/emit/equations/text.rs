@@ -1,8 +1,9 @@
 //! The document for reading at a terminal.
 
 use super::document::Document;
-use super::printer::Style;
-use crate::algebra::SweepId;
+use super::extent::extent;
+use super::printer::{Printer, Style};
+use crate::algebra::{Alphabet, Nominal, Poly, Rational, SweepId, WrappedAngle};
 use crate::emit::layout::{equation, prose};
 use crate::identify::Derivation;
 use crate::model::Model;
@@ -28,6 +29,14 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
             let _ = writeln!(out, "{name}: the angle of {} to {}", axis.name, r.axis);
         }
     }
+    for (id, nominal) in model.alphabet.nominals() {
+        if let Nominal::Wrapped { angle, .. } = nominal {
+            let _ = writeln!(out, "{}", turned(model, &model.alphabet.nominal_name(id), angle));
+        }
+    }
+    for assumption in &model.assumptions {
+        let _ = writeln!(out, "assumed: {}", assumption.text);
+    }
     for (i, run) in derivation.runs.iter_enumerated() {
         let label = d.label(i);
         let start = format!("  {label} = ");
@@ -50,6 +59,12 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
         let start = format!("  {:width$} = ", b.name);
         let _ = writeln!(out, "{}", equation(&start, &d.definition(&b.definition), start.len()));
     }
+    let _ = writeln!(out, "\nWhat is estimated");
+    for determination in &derivation.functions {
+        let name = d.error(model.functions[determination.function].error);
+        let told = extent(model, derivation, determination, Style::Pretty);
+        let _ = writeln!(out, "{}", prose(&format!("  {name}: "), &told, 4));
+    }
     let _ = writeln!(out, "\nWhat these runs cannot tell apart");
     for group in derivation.groups() {
         let _ = writeln!(out, "{}", prose("  ", &d.group(&group), 4));
@@ -57,4 +72,24 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
     let unseen: Vec<&str> = derivation.unseen.iter().map(|e| model.alphabet.error_name(*e)).collect();
     let _ = writeln!(out, "\n{}", prose("Not seen at first order: ", &unseen.join(", "), 2));
     out
+}
+
+/// What an angle less whole turns stands for.
+fn turned(model: &Model, name: &str, angle: &WrappedAngle) -> String {
+    let sweep = model.alphabet.sweep_name(angle.sweep);
+    let printer = Printer { alphabet: &model.alphabet, style: Style::Pretty };
+    let of_pi = |steps: i32| {
+        let poly = Poly::nominal(Alphabet::PI).scaled(&Rational::new(steps.into(), 12));
+        poly.map_or_else(|_| String::new(), |p| printer.poly(&p))
+    };
+    let times = match angle.multiple {
+        1 => sweep.to_owned(),
+        n => format!("{n}·{sweep}"),
+    };
+    let range = format!("[{}, {})", of_pi(angle.start), of_pi(angle.start + 24));
+    if name == sweep {
+        format!("{name} as a power: less whole turns, in {range}")
+    } else {
+        format!("{name}: {times} less whole turns, in {range}")
+    }
 }

@@ -33,11 +33,11 @@ pub(super) fn estimate(printed: &Printed) -> TokenStream {
     }
 }
 
-/// A function's value and standard deviation; `None` if not all its coefficients are estimated.
+/// A function's value and standard deviation, or those of the sum it is seen in.
 fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Option<TokenStream> {
     let module = &printed.support.module;
     let (function, model) = (&estimated.function, printed.model);
-    let places = function.coefficients.as_ref()?.iter().map(|b| Literal::usize_unsuffixed((*b).into()));
+    let places = function.base.iter().map(|b| Literal::usize_unsuffixed((*b).into()));
     let error = model.functions[function.function].error;
     let (name, unit) = (model.alphabet.error_name(error), model.alphabet.error_quantity(error).inner().suffix());
     let called = ident(&methods.claim(&function.basis.name));

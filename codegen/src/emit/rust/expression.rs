@@ -107,6 +107,7 @@ impl<'a> Expressions<'a> {
         tokens.extend(match step {
             Step::Sin(_) => quote!(.sine_cosine().0),
             Step::Cos(_) => quote!(.sine_cosine().1),
+            Step::Floor(_) => quote!(.floor()),
             _ => quote!(.sqrt()),
         });
     }
@@ -115,6 +116,7 @@ impl<'a> Expressions<'a> {
 /// A constant as a literal, or as the quotient that the compiler rounds correctly.
 fn number(r: &Rational) -> TokenStream {
     match quotient(r).map(|parts| parts.map(Literal::f64_unsuffixed)) {
+        None if to_f64(r).is_infinite() => quote!(f64::INFINITY),
         None => Literal::f64_unsuffixed(to_f64(r)).into_token_stream(),
         Some([numer, denom]) => quote!(#numer / #denom),
     }

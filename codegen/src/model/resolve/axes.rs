@@ -3,7 +3,7 @@
 use super::resolver::Resolver;
 use crate::algebra::{ErrorId, Quantity};
 use crate::iso::{Component, Notation, iso_location, iso_motion, location_error};
-use crate::model::{Axis, Draft, DraftAxis, ProblemKind, Reference};
+use crate::model::{Axis, AxisKind, Draft, DraftAxis, ProblemKind, Reference};
 use crate::source::{Span, Text};
 
 impl Resolver {
@@ -56,6 +56,7 @@ impl Resolver {
             direction: direction.unwrap_or_default(),
             location,
             references,
+            range: axis.range.map(|range| range.map(|end| quantity(axis.kind).coordinate().to_inner(end))),
             motion: motion.try_into().ok()?,
         })
     }
@@ -79,5 +80,13 @@ impl Resolver {
         let id = self.exact(&span, made)?;
         self.iso.push((iso, id));
         Some(id)
+    }
+}
+
+/// What a coordinate measures.
+fn quantity(kind: AxisKind) -> Quantity {
+    match kind {
+        AxisKind::Rotary => Quantity::Angle,
+        AxisKind::Linear => Quantity::Length,
     }
 }

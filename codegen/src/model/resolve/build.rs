@@ -2,6 +2,7 @@
 
 use super::names::item;
 use super::resolver::Resolver;
+use crate::identify::settle;
 use crate::ids::RunId;
 use crate::iso::Notation;
 use crate::model::{Axis, Draft, Model, Problem, ProblemKind, Run, reference};
@@ -12,7 +13,13 @@ impl Draft {
     pub fn build(&self) -> Result<Model, Vec<Problem>> {
         let mut resolver = Resolver::default();
         let model = resolver.model(self);
-        if resolver.problems.is_empty() { model.ok_or_else(Vec::new) } else { Err(resolver.problems) }
+        if !resolver.problems.is_empty() {
+            return Err(resolver.problems);
+        }
+        let mut model = model.ok_or_else(Vec::new)?;
+        // A run without a reading is told of where it is derived.
+        let _ = settle(&mut model);
+        Ok(model)
     }
 }
 
@@ -66,6 +73,10 @@ impl Resolver {
             }
         }
         let functions = self.functions(draft, &known);
+        self.turns(&axes, &runs, &functions);
+        let assumptions = self.assumptions(draft, &known, &functions);
+        let limits = self.limits(draft);
+        let instrument = self.instrument(draft);
         let model = Model {
             name: draft.name.value.clone(),
             title: draft.title.value.clone(),
@@ -76,6 +87,9 @@ impl Resolver {
             runs,
             functions,
             order: draft.order.clone(),
+            assumptions,
+            limits,
+            instrument,
         };
         self.problems.extend(reference::problems(&model));
         Some(model)

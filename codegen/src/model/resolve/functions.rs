@@ -2,7 +2,8 @@
 
 use super::resolver::Resolver;
 use crate::algebra::ErrorId;
-use crate::basis::{Basis, LinearCondition, satisfying};
+use crate::algebra::{AlgebraError, Alphabet, Poly, Rational};
+use crate::basis::{Basis, BasisFunction, Functions, LinearCondition, Univariate, satisfying};
 use crate::expression::{Scope, parse_equation};
 use crate::ids::FunctionId;
 use crate::model::conditions::condition;
@@ -53,9 +54,17 @@ impl Resolver {
                 let conditions: Vec<_> = written.iter().filter_map(|text| self.condition(text)).collect();
                 (conditions.len() == written.len()).then_some(())?;
                 let functions = satisfying(*degree, &conditions, &self.alphabet);
-                Basis::polynomials(
-                    functions.map_or_else(|e| self.problem(&f.error.span, ProblemKind::NoBasis(e)), Some)?,
-                )
+                let functions =
+                    functions.map_or_else(|e| self.problem(&f.error.span, ProblemKind::NoBasis(e)), Some)?;
+                let points: Vec<Poly> =
+                    conditions.iter().flat_map(|c| &c.terms).map(|(_, point, _)| point.clone()).collect();
+                let turn = match axis.kind {
+                    AxisKind::Rotary => turn_from(&functions, &points, &self.alphabet),
+                    AxisKind::Linear => Ok(None),
+                };
+                let turn_from = self.exact(&f.error.span, turn)?;
+                let terms = functions.into_iter().map(BasisFunction::Polynomial).collect();
+                Basis::Functions(Functions { terms, turn_from, points })
             }
         };
         Some(ErrorFunction { error, basis, estimate: false, place: f.error.span.clone() })
@@ -66,4 +75,31 @@ impl Resolver {
         let found = condition(&Scope { alphabet: &self.alphabet, sweep: None }, &left, &right);
         self.meaning(text, found)?.or_else(|| self.problem(&text.span, ProblemKind::NotACondition))
     }
+}
+
+/// Steps of 15° in a turn.
+const TURN: i32 = 24;
+
+/// Where a turn begins over which the functions are periodic: a point of their conditions, in steps of 15°, a turn after which
+/// they all have the same value.
+fn turn_from(functions: &[Univariate], points: &[Poly], alphabet: &Alphabet) -> Result<Option<i32>, AlgebraError> {
+    let at = |steps: i32| Poly::nominal(Alphabet::PI).scaled(&Rational::new(steps.into(), 12));
+    let mut starts = Vec::new();
+    for point in points {
+        for steps in -240..=240 {
+            if at(steps)? == point.normal(alphabet)? && !starts.contains(&steps) {
+                starts.push(steps);
+            }
+        }
+    }
+    starts.sort_unstable();
+    'starts: for &start in starts.iter().filter(|start| starts.contains(&(*start + TURN))) {
+        for f in functions {
+            if f.at(&at(start)?)?.normal(alphabet)? != f.at(&at(start + TURN)?)?.normal(alphabet)? {
+                continue 'starts;
+            }
+        }
+        return Ok(Some(start));
+    }
+    Ok(None)
 }

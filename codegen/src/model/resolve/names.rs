@@ -15,8 +15,13 @@ impl Resolver {
         good
     }
 
+    /// Whether a name may stand in formulas: no other has it, and it is not read as a difference.
     pub fn is_free(&mut self, text: &Text) -> bool {
         let name = text.value.as_str();
+        if name.contains('-') {
+            self.problem::<()>(&text.span, ProblemKind::NotAName(text.value.clone()));
+            return false;
+        }
         let a = &self.alphabet;
         let taken = a.find_constant(name).is_some() || a.find_sweep(name).is_some() || a.find_error(name).is_some();
         let free = !taken && !["pi", "sin", "cos", "sqrt", "rest", "f"].contains(&name);

@@ -41,6 +41,7 @@ impl Resolver {
             workpiece_ball: workpiece_ball.clone(),
             tool_ball: tool_ball.clone(),
             reading,
+            left_out: Vec::new(),
             places: places.clone(),
         };
         Some(readings?.into_iter().map(complete).collect())

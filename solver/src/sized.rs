@@ -1,27 +1,20 @@
-//! The solver's estimators for a number of coefficients known only at run time.
+//! The estimators for a number of coefficients known only at run time, on a desk: feature `sized`, with a heap.
 //!
 //! A factor is of fixed size, as in a controller; here one is chosen by its size, so that a model read at run time is fitted by
-//! the same code.
+//! the same code. It stands in this crate so that its sizes are compiled once, not with every change of a program.
 
+use crate::lstsq::{Condition, Factor, Order, Rejected, Solution, SolveError, Step, TwoStepError};
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
-use trunnion_codegen::ids::BaseId;
-use trunnion_solver::lstsq::{Condition, Factor, Order, Rejected, Solution, SolveError, Step, TwoStepError};
+use std::boxed::Box;
+use std::vec::Vec;
 
 /// The largest number of coefficients.
 pub const LARGEST: usize = 64;
 
-/// How well the samples separate the base parameters.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Separation {
-    /// Condition number of the design, columns scaled.
-    pub condition: f64,
-    /// Those that take part in what is separated worst.
-    pub weakest: Vec<BaseId>,
-}
-
 /// Which coefficients are the columns of each step: of one alone, all are the first's.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Columns {
+pub struct Columns {
+    /// The first step's.
     pub first: Vec<usize>,
     /// Only the second step sees these.
     pub own: Vec<usize>,
@@ -40,8 +33,10 @@ impl Columns {
 }
 
 /// An estimate of all coefficients.
-pub(super) struct Solved {
+pub struct Solved {
+    /// In the order of the columns.
     pub coefficients: DVector<f64>,
+    /// Their covariance.
     pub covariance: DMatrix<f64>,
     /// Of the residuals of the last step.
     pub degrees_of_freedom: u32,
@@ -53,9 +48,24 @@ pub(super) struct Solved {
 
 /// Why there is no solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Unsolved {
-    TooFew { step: Step, samples: u32, needed: usize },
-    Confounded { step: Step, coefficients: Vec<usize> },
+pub enum Unsolved {
+    /// Fewer samples than a step needs.
+    TooFew {
+        /// The step.
+        step: Step,
+        /// Samples there are.
+        samples: u32,
+        /// Samples needed.
+        needed: usize,
+    },
+    /// The samples of a step do not tell coefficients apart.
+    Confounded {
+        /// The step.
+        step: Step,
+        /// Their columns.
+        coefficients: Vec<usize>,
+    },
+    /// A sample, or a result, is not finite.
     NotFinite,
 }
 
@@ -70,10 +80,16 @@ impl Unsolved {
 }
 
 /// An estimator of some size.
-pub(super) trait Accumulate: Send {
+pub trait Estimate: Send {
     /// Takes a sample of a step; `row` is in the order of [`Columns::of`].
+    ///
+    /// # Errors
+    /// [`Rejected`]
     fn push(&mut self, step: Step, row: &[f64], y: f64, weight: f64) -> Result<(), Rejected>;
     /// The estimate; `sigma` is the standard deviation of a reading of weight one, if it is known.
+    ///
+    /// # Errors
+    /// [`Unsolved`]
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved>;
 }
 
@@ -104,7 +120,7 @@ fn enough(step: Step, samples: u32, columns: usize) -> Result<(), Unsolved> {
 /// All runs in one problem.
 struct OneStep<const P: usize>(Factor<f64, P>);
 
-impl<const P: usize> Accumulate for OneStep<P> {
+impl<const P: usize> Estimate for OneStep<P> {
     fn push(&mut self, _: Step, sample: &[f64], y: f64, weight: f64) -> Result<(), Rejected> {
         self.0.push_weighted(&row(sample), y, weight)
     }
@@ -127,7 +143,7 @@ struct TwoSteps<const P: usize> {
     second: Factor<f64, P>,
 }
 
-impl<const P: usize> Accumulate for TwoSteps<P> {
+impl<const P: usize> Estimate for TwoSteps<P> {
     fn push(&mut self, step: Step, sample: &[f64], y: f64, weight: f64) -> Result<(), Rejected> {
         let factor = if step == Step::First { &mut self.first } else { &mut self.second };
         factor.push_weighted(&row(sample), y, weight)
@@ -149,7 +165,7 @@ impl<const P: usize> Accumulate for TwoSteps<P> {
     }
 }
 
-fn estimator<const P: usize>(columns: &Columns) -> Option<Box<dyn Accumulate>> {
+fn of<const P: usize>(columns: &Columns) -> Option<Box<dyn Estimate>> {
     if columns.own.is_empty() {
         return Some(Box::new(OneStep::<P>(Factor::<f64, P>::new())));
     }
@@ -160,14 +176,14 @@ fn estimator<const P: usize>(columns: &Columns) -> Option<Box<dyn Accumulate>> {
 macro_rules! of_size {
     ($size:expr, $columns:expr, $($n:literal)*) => {
         match $size {
-            $($n => estimator::<$n>($columns),)*
+            $($n => of::<$n>($columns),)*
             _ => None,
         }
     };
 }
 
 /// An estimator without samples for these columns, each coefficient one; `None` for none or more than [`LARGEST`].
-pub(super) fn accumulator(columns: &Columns) -> Option<Box<dyn Accumulate>> {
+pub fn estimator(columns: &Columns) -> Option<Box<dyn Estimate>> {
     of_size!(columns.first.len() + columns.own.len(), columns,
         1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32
         33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63 64)

@@ -1,0 +1,128 @@
+//! What is stated beforehand: limits of errors, ranges of axes, the instrument; options in place of the model file's.
+
+use super::Refused;
+use super::pair::pair;
+use clap::Args;
+use trunnion::study::{ErrorLimits, Instrument, Setup};
+use trunnion_codegen::model::{AxisKind, Model, StatedInstrument};
+use trunnion_codegen::quantity::{Quantity, Unit};
+
+/// Limits of errors.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct LimitArguments {
+    /// Largest length error, µm; without it the model file's, or 30.
+    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    length_um: Option<f64>,
+    /// Largest angle error, µrad; without it the model file's, or 100.
+    #[arg(long, value_name = "URAD", allow_negative_numbers = true)]
+    angle_urad: Option<f64>,
+}
+
+impl LimitArguments {
+    /// The limits of errors that have no own in the model.
+    pub fn limits(&self, setup: &Setup) -> Result<ErrorLimits, Refused> {
+        let given = |option, value: Option<f64>, unit: Unit| {
+            value.map(|value| not_negative(option, value).map(|()| unit.to_inner(value))).transpose()
+        };
+        let (length, angle) =
+            (given("length-um", self.length_um, Unit::Um)?, given("angle-urad", self.angle_urad, Unit::Urad)?);
+        let stated = &setup.model.limits;
+        Ok(ErrorLimits {
+            length: length.or(stated.length).unwrap_or(ErrorLimits::PAPER.length),
+            angle: angle.or(stated.angle).unwrap_or(ErrorLimits::PAPER.angle),
+        })
+    }
+}
+
+/// Ranges of axes.
+#[derive(Clone, Debug, Args)]
+pub struct RangeArguments {
+    /// Range of an axis, degrees or mm, in place of the model file's; once for each axis.
+    #[arg(long = "range", value_name = "AXIS=A:B")]
+    ranges: Vec<String>,
+}
+
+impl RangeArguments {
+    /// Gives the axes their ranges.
+    pub fn apply(&self, model: &mut Model) -> Result<(), Refused> {
+        let mut given: Vec<&str> = Vec::new();
+        for text in &self.ranges {
+            let number = |t: &str| t.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+            let parsed = pair(text).and_then(|(axis, range)| {
+                let (low, high) = range.split_once(':')?;
+                Some((axis, number(low)?, number(high)?)).filter(|(_, low, high)| low < high)
+            });
+            let not =
+                Refused::NotAPair { option: "range", pair: "AXIS=A:B", given: text.clone(), example: "A=-30:120" };
+            let (name, low, high) = parsed.ok_or(not)?;
+            let names: Vec<String> = model.axes().map(|a| a.name.clone()).collect();
+            let axis = model.workpiece.iter_mut().chain(&mut model.tool).find(|a| a.name == name);
+            let Some(axis) = axis.filter(|_| !given.contains(&name)) else {
+                return Err(Refused::RangeOf(text.clone(), names.join(", ")));
+            };
+            let quantity = if axis.kind == AxisKind::Rotary { Quantity::Angle } else { Quantity::Length };
+            axis.range = Some([low, high].map(|end| quantity.coordinate().to_inner(end)));
+            given.push(name);
+        }
+        Ok(())
+    }
+}
+
+/// The instrument.
+#[derive(Clone, Debug, Args)]
+pub struct InstrumentArguments {
+    /// An instrument whose published errors to take: QC20-W (check them against the certificate).
+    #[arg(long, value_name = "NAME")]
+    instrument: Option<String>,
+    /// A reading is wrong by at most this, µm, whatever it is.
+    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    instrument_um: Option<f64>,
+    /// It is wrong by at most this share of itself besides.
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
+    instrument_share: Option<f64>,
+    /// The bar's length is wrong by at most this, µm.
+    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    bar_length_um: Option<f64>,
+    /// The bar's temperature is away from that of its calibration by at most this, K.
+    #[arg(long, value_name = "K", allow_negative_numbers = true)]
+    temperature_k: Option<f64>,
+    /// The bar's expansion, 1/K.
+    #[arg(long, value_name = "1/K", allow_negative_numbers = true)]
+    expansion_per_k: Option<f64>,
+}
+
+impl InstrumentArguments {
+    /// The model's instrument with what is given here in its place.
+    pub fn instrument(&self, model: &Model) -> Result<Instrument, Refused> {
+        let preset = |name: &String| {
+            let known = || Refused::Instrument(name.clone(), StatedInstrument::PRESETS.join(", "));
+            StatedInstrument::preset(name).ok_or_else(known)
+        };
+        let mut stated = match &self.instrument {
+            Some(name) => preset(name)?,
+            None => model.instrument.clone().unwrap_or_default(),
+        };
+        let own = [
+            ("instrument-um", self.instrument_um, Unit::Um.factor(), &mut stated.constant),
+            ("instrument-share", self.instrument_share, 1.0, &mut stated.proportional),
+            ("bar-length-um", self.bar_length_um, Unit::Um.factor(), &mut stated.bar_length),
+            ("temperature-k", self.temperature_k, 1.0, &mut stated.temperature),
+            ("expansion-per-k", self.expansion_per_k, 1.0, &mut stated.expansion),
+        ];
+        for (option, value, factor, place) in own {
+            if let Some(value) = value {
+                not_negative(option, value)?;
+                *place = value * factor;
+            }
+        }
+        Ok(Instrument::of(&stated))
+    }
+}
+
+/// Refuses what is no size of a noise or an error.
+pub fn not_negative(option: &'static str, value: f64) -> Result<(), Refused> {
+    match value.is_finite() && (0.0..=1e4).contains(&value) {
+        true => Ok(()),
+        false => Err(Refused::Option(option, value.to_string(), "expected a number from 0 to 10000")),
+    }
+}

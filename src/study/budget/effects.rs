@@ -1,0 +1,84 @@
+//! What each source of uncertainty does to the base parameters.
+
+use super::instrument::Instrument;
+use super::parts::{Ignored, Parts};
+use crate::study::fit::{Fit, Observation};
+use crate::study::setup::Setup;
+use crate::study::slow::{SLOW, slow};
+use trunnion_codegen::ids::FunctionId;
+
+/// The instrument's parts by source: what stays the same along a run, what is proportional to the reading, the bar's length,
+/// its temperature.
+pub(super) struct Instrumental {
+    pub constant: Parts,
+    pub proportional: Parts,
+    pub bar_length: Parts,
+    pub temperature: Parts,
+}
+
+pub(super) fn instrumental(
+    setup: &Setup,
+    observations: &[Observation],
+    fit: &Fit,
+    instrument: &Instrument,
+) -> Instrumental {
+    let runs = observations.len();
+    let constant = fit.responses(setup, observations, runs * SLOW, |d, by| {
+        let own = &mut by[d.observation * SLOW..(d.observation + 1) * SLOW];
+        slow(d.sample.sweep, own);
+        own.iter_mut().for_each(|x| *x *= instrument.constant);
+    });
+    let one = |of: &dyn Fn(usize, f64) -> f64| {
+        fit.responses(setup, observations, 1, |d, by| by[0] = of(d.observation, d.sample.reading))
+    };
+    let bar = |at: usize| observations.get(at).and_then(|o| setup.bar(o.run)).unwrap_or(0.0);
+    let has_bar = |at: usize| if bar(at) > 0.0 { 1.0 } else { 0.0 };
+    Instrumental {
+        constant,
+        proportional: one(&|_, reading| reading * instrument.proportional),
+        bar_length: one(&|at, _| has_bar(at) * instrument.bar_length),
+        temperature: one(&|at, _| bar(at) * instrument.expansion * instrument.temperature),
+    }
+}
+
+/// The known functions that the runs see.
+fn known(setup: &Setup, observations: &[Observation]) -> Vec<FunctionId> {
+    let seen = observations.iter().flat_map(|o| setup.derivation.runs[o.run].known.iter().map(|(f, _)| *f));
+    let mut known: Vec<FunctionId> = seen.collect();
+    known.sort_unstable();
+    known.dedup();
+    known
+}
+
+/// The parts of the tables of known functions, as uncertain as their columns say.
+pub(super) fn tables(setup: &Setup, observations: &[Observation], fit: &Fit) -> Parts {
+    let known = known(setup, observations);
+    let places = |o: &Observation| -> Vec<Option<usize>> {
+        let own = setup.derivation.runs[o.run].known.iter();
+        own.map(|(f, _)| known.binary_search(f).ok()).collect()
+    };
+    let places: Vec<Vec<Option<usize>>> = observations.iter().map(places).collect();
+    let mut shape = [0.0; SLOW];
+    fit.responses(setup, observations, known.len() * SLOW, |d, by| {
+        slow(d.sample.sweep, &mut shape);
+        // What is taken off the reading is wrong by as much.
+        for ((factor, std), place) in d.factors.iter().zip(&d.sample.known_std).zip(&places[d.observation]) {
+            let Some(at) = place else { continue };
+            by[at * SLOW..(at + 1) * SLOW].iter_mut().zip(&shape).for_each(|(b, s)| *b += factor * std * s);
+        }
+    })
+}
+
+/// The known functions that the runs see and that were taken as zero, with their factors in every reading.
+pub(super) fn without_table(setup: &Setup, observations: &[Observation]) -> Ignored {
+    let of = |function: FunctionId| {
+        let factors = |o: &Observation| {
+            let at = setup.derivation.runs[o.run].known.iter().position(|(f, _)| *f == function);
+            let mut row = setup.row(o.run);
+            let mut factor = |sweep: f64| at.and_then(|at| row.at(sweep).1.get(at).copied()).unwrap_or(0.0);
+            o.samples.iter().map(|s| factor(s.sweep)).collect()
+        };
+        (setup.model.functions[function].error, observations.iter().map(factors).collect())
+    };
+    known(setup, observations).into_iter().map(of).collect()
+}

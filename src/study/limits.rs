@@ -1,0 +1,30 @@
+//! The largest errors that a machine may have.
+
+use trunnion_codegen::quantity::{Quantity, Unit};
+
+/// Largest errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorLimits {
+    /// Of lengths, mm.
+    pub length: f64,
+    /// Of angles, rad.
+    pub angle: f64,
+}
+
+impl ErrorLimits {
+    /// The paper's: ±30 µm and ±100 µrad.
+    pub const PAPER: Self = Self { length: 0.03, angle: 1e-4 };
+
+    /// Limits in µm and µrad.
+    pub fn scaled(length_um: f64, angle_urad: f64) -> Self {
+        Self { length: length_um * Unit::Um.factor(), angle: angle_urad * Unit::Urad.factor() }
+    }
+
+    /// The limit of an error.
+    pub fn of(&self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Length => self.length,
+            Quantity::Angle => self.angle,
+        }
+    }
+}

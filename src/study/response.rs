@@ -1,0 +1,76 @@
+//! How far disturbances of the readings move the base parameters: the estimate is linear in the readings.
+
+use super::fit::{Fit, Observation, Sample};
+use super::setup::Setup;
+use nalgebra::DMatrix;
+
+/// A sample whose reading is disturbed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Disturbed<'a> {
+    /// Which of the observations it is in.
+    pub observation: usize,
+    /// The sample.
+    pub sample: &'a Sample,
+    /// Factors of the run's known functions in the reading.
+    pub factors: &'a [f64],
+}
+
+impl Fit {
+    /// What `count` disturbances add to the base parameters, a column for each; `of` writes what they add to a reading, mm.
+    pub(super) fn responses(
+        &self,
+        setup: &Setup,
+        observations: &[Observation],
+        count: usize,
+        mut of: impl FnMut(Disturbed, &mut [f64]),
+    ) -> DMatrix<f64> {
+        let mut responses = DMatrix::zeros(self.base.len(), count);
+        let mut by = vec![0.0; count];
+        for (at, observation) in observations.iter().enumerate() {
+            let places = self.places(setup, observation);
+            let mut sum = DMatrix::zeros(self.base.len(), count);
+            let mut evaluator = setup.row(observation.run);
+            for sample in &observation.samples {
+                let (row, factors) = evaluator.at(sample.sweep);
+                by.fill(0.0);
+                of(Disturbed { observation: at, sample, factors }, &mut by);
+                for (x, place) in row.iter().zip(&places).filter_map(|(x, place)| Some((x, (*place)?))) {
+                    sum.row_mut(place).iter_mut().zip(&by).for_each(|(s, d)| *s += x * d * observation.weight);
+                }
+            }
+            responses += self.sensitivity_of(at) * sum;
+        }
+        responses
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::study::{ErrorLimits, Estimator, Simulation, fit};
+    use crate::{Setup, study::Observation};
+
+    #[test]
+    fn a_response_is_the_difference_of_two_fits() {
+        let setup = Setup::from_catalogue("tilting-table-a", &[("R", 150.0)]).unwrap();
+        let simulation =
+            Simulation { seed: 7, samples: 60, noise_um: 0.1, limits: ErrorLimits::PAPER, range_deg: (0.0, 360.0) };
+        let mut observations: Vec<Observation> = simulation.measure(&setup).observations.raw;
+        observations[1].weight = 3.0;
+        for estimator in [Estimator::Joint, Estimator::TwoStep] {
+            let before = fit(&setup, &observations, estimator).unwrap();
+            let disturbance = |at: usize, sweep: f64| if at == 0 { 1e-3 * (2.0 * sweep).cos() } else { 5e-4 * sweep };
+            let responses = before.responses(&setup, &observations, 1, |d, by| {
+                by[0] = disturbance(d.observation, d.sample.sweep);
+            });
+            let mut disturbed = observations.clone();
+            for (at, o) in disturbed.iter_mut().enumerate() {
+                o.samples.iter_mut().for_each(|s| s.reading += disturbance(at, s.sweep));
+            }
+            let after = fit(&setup, &disturbed, estimator).unwrap();
+            let moved = after.values - before.values;
+            for (a, b) in moved.iter().zip(responses.iter()) {
+                assert!((a - b).abs() <= 1e-9 * responses.amax(), "{estimator}: {a} {b}");
+            }
+        }
+    }
+}

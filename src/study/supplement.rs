@@ -1,0 +1,169 @@
+//! The budget checked as in Supplement 1 of the GUM (JCGM 101): the whole measurement many times over, every line drawn.
+//!
+//! Each time a machine within the limits is drawn and measured exactly, with noise, the instrument's errors, the bar's and the
+//! set-up's lengths wrong by what is drawn for them. The middle 95 % of what the estimate is off by is set beside the budget's interval:
+//! of the sum that the runs see, and of the function itself. Of a function that is not determined the second is a bound:
+//! there the budget takes each error as large as its limit lets it be, in the worst shape.
+
+use super::budget::{Instrument, Sources};
+use super::draw::draw;
+use super::estimate::{EstimateError, fit_with};
+use super::fit::{Estimator, Observation, Variance};
+use super::monte_carlo::Draws;
+use super::setup::{Setup, coordinate};
+use super::simulate::grid;
+use super::slow::{SLOW, slow};
+use super::told::Told;
+use super::visited::{between, visited};
+use super::weights::Weights;
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use trunnion_codegen::identify::Extent;
+use trunnion_codegen::ids::{FunctionId, RunId};
+use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::measurement::ExactReading;
+use trunnion_codegen::quantity::Unit;
+use typed_index_collections::TiVec;
+
+/// Coordinates at which a function is looked at, ends included.
+const STEPS: usize = 8;
+
+/// A budget's interval beside that of the drawn measurements, at one coordinate, in the function's unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checked {
+    /// Name of the function.
+    pub function: String,
+    /// How far it is determined.
+    pub told: Told,
+    /// µrad or µm.
+    pub unit: Unit,
+    /// The coordinate, degrees or mm.
+    pub at: f64,
+    /// Half the interval of the sum that is seen: the budget's, the measurements'.
+    pub sum: [f64; 2],
+    /// Half the interval of the function.
+    pub whole: [f64; 2],
+}
+
+/// A function at a coordinate, before anything is drawn.
+struct Point {
+    function: FunctionId,
+    at: f64,
+    weights: Weights,
+}
+
+/// Compares the budget of every estimated function with `draws` of the whole measurement.
+///
+/// # Errors
+/// [`EstimateError`] if these runs over this range give no estimate.
+pub fn supplement(
+    setup: &Setup,
+    draws: Draws,
+    estimator: Estimator,
+    instrument: &Instrument,
+) -> Result<Vec<Checked>, EstimateError> {
+    let runs = || setup.model.runs.keys();
+    let sweeps: TiVec<RunId, Vec<f64>> =
+        runs().map(|run| grid(draws.samples, setup.sweep_range(run, draws.range))).collect();
+    let exact: TiVec<RunId, ExactReading> = runs().map(|run| setup.exact(run, &sweeps[run])).collect();
+    // One measurement stands for all in what is proportional to the readings.
+    let mut first = ChaCha8Rng::seed_from_u64(draws.seed);
+    let machine = draw(setup, &exact.raw, draws.limits, &mut first);
+    let observe = |run| setup.observe(run, &exact[run], &sweeps[run], &machine, || 0.0);
+    let observations: Vec<Observation> = runs().map(observe).collect();
+    let fitted = fit_with(setup, &observations, estimator, Variance::Known(draws.noise / 3f64.sqrt()))?;
+    let sources = Sources::new(setup, &observations, &fitted, draws.limits, instrument, false);
+    let mut points = Vec::new();
+    let mut checked = Vec::new();
+    for seen in fitted.functions().iter().filter(|seen| seen.extent() != Extent::NotSeen) {
+        let function = seen.function();
+        let unit = setup.quantity(function).deviation();
+        let of = setup.axis(function).map_or(Unit::Mm, |axis| coordinate(axis).coordinate());
+        let range = visited(setup, function, runs().map(|run| (run, &sweeps[run])));
+        for at in range.into_iter().flat_map(|range| between(range, STEPS)) {
+            let budget = sources.function(seen, at).times(unit.from_inner(1.0));
+            checked.push(Checked {
+                function: setup.function_name(function),
+                told: seen.told(setup),
+                unit,
+                at: of.from_inner(at),
+                sum: [budget.of_the_sum().combined.expanded, 0.0],
+                whole: [budget.combined.expanded, 0.0],
+            });
+            points.push(Point { function, at, weights: fitted.sensitivity(setup, &observations, function, at) });
+        }
+    }
+    let trial = |n: u64| -> Vec<[f64; 2]> {
+        let mut random = ChaCha8Rng::seed_from_u64(draws.seed);
+        random.set_stream(n + 1);
+        let machine = draw(setup, &exact.raw, draws.limits, &mut random);
+        let common = Common::new(instrument, &mut random);
+        let readings: Vec<Vec<f64>> = runs()
+            .map(|run| {
+                let known = setup.true_known(run, &exact[run], &machine);
+                let mut row = setup.row(run);
+                let shape: Vec<f64> = (0..SLOW).map(|_| normal(&mut random) * instrument.constant).collect();
+                let reading = |(i, clean): (usize, f64)| {
+                    let sweep = sweeps[run][i];
+                    let noise = random.random_range(-1.0..=1.0) * draws.noise;
+                    let explained: f64 =
+                        row.at(sweep).1.iter().zip(known.get(i).into_iter().flatten()).map(|(f, k)| f * k).sum();
+                    clean + noise + common.error(setup, run, sweep, clean, &shape) - explained
+                };
+                exact[run].values(&machine).enumerate().map(reading).collect()
+            })
+            .collect();
+        let base = machine.base(setup);
+        let off = |p: &Point| {
+            let estimate = p.weights.apply(&readings);
+            let sum = fitted.seen(p.function).map_or(0.0, |seen| seen.truth(setup, &base, p.at));
+            let whole = machine.value(setup.model.functions[p.function].error, p.at);
+            [estimate - sum, estimate - whole]
+        };
+        points.iter().map(off).collect()
+    };
+    let trials: Vec<Vec<[f64; 2]>> = (0..draws.trials).into_par_iter().map(trial).collect();
+    for (i, checked) in checked.iter_mut().enumerate() {
+        let half = |which: usize| {
+            let mut sizes: Vec<f64> = trials.iter().map(|t| t[i][which].abs()).collect();
+            sizes.sort_by(f64::total_cmp);
+            let at = (0.95 * sizes.len() as f64).ceil() as usize;
+            checked.unit.from_inner(sizes.get(at.saturating_sub(1)).copied().unwrap_or(0.0))
+        };
+        let (sum, whole) = (half(0), half(1));
+        checked.sum[1] = sum;
+        checked.whole[1] = whole;
+    }
+    Ok(checked)
+}
+
+/// What is the same in all runs of one measurement.
+struct Common {
+    proportional: f64,
+    length: f64,
+    expansion: f64,
+}
+
+impl Common {
+    fn new(instrument: &Instrument, random: &mut impl Rng) -> Self {
+        let mut bounded = |std: f64| random.random_range(-1.0..=1.0) * std * 3f64.sqrt();
+        let (proportional, length) = (bounded(instrument.proportional), bounded(instrument.bar_length));
+        Self { proportional, length, expansion: bounded(instrument.temperature) * instrument.expansion }
+    }
+
+    /// What the instrument adds to a reading, mm.
+    fn error(&self, setup: &Setup, run: RunId, sweep: f64, reading: f64, shape: &[f64]) -> f64 {
+        let mut waves = [0.0; SLOW];
+        slow(sweep, &mut waves);
+        let constant: f64 = waves.iter().zip(shape).map(|(w, s)| w * s).sum();
+        let bar = setup.bar(run).map_or(0.0, |bar| self.length + bar * self.expansion);
+        constant + reading * self.proportional + bar
+    }
+}
+
+/// A standard normal number, by Box and Muller.
+fn normal(random: &mut impl Rng) -> f64 {
+    let (u, v): (f64, f64) = (random.random_range(f64::EPSILON..1.0), random.random());
+    (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
+}

@@ -1,0 +1,45 @@
+//! Where runs take an axis: the coordinates over which a function is evaluated, tabulated and compared.
+
+use super::fit::Observation;
+use super::setup::Setup;
+use trunnion_codegen::ids::{FunctionId, RunId};
+use trunnion_codegen::quantity::Unit;
+
+/// The lowest and the highest coordinate of a function's axis (mm or rad) along runs, each given with values of its sweep;
+/// `None` where it rests in all of them.
+pub fn visited<S: AsRef<[f64]>>(
+    setup: &Setup,
+    function: FunctionId,
+    runs: impl IntoIterator<Item = (RunId, S)>,
+) -> Option<(f64, f64)> {
+    let (axis, _) = setup.model.axis_of(setup.model.functions[function].error)?;
+    let along = |(run, sweeps): (RunId, S)| {
+        setup.exact(run, sweeps.as_ref()).run().coordinates(axis).flatten().collect::<Vec<_>>()
+    };
+    let at: Vec<f64> = runs.into_iter().flat_map(along).collect();
+    let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
+    (low <= high).then_some((low, high))
+}
+
+/// The sweeps of measured runs.
+pub fn sweeps(observations: &[Observation]) -> impl Iterator<Item = (RunId, Vec<f64>)> {
+    observations.iter().map(|o| (o.run, o.samples.iter().map(|s| s.sweep).collect()))
+}
+
+/// `steps` + 1 coordinates from one end to the other.
+pub fn between((low, high): (f64, f64), steps: usize) -> impl Iterator<Item = f64> {
+    (0..=steps).map(move |i| low + (high - low) * i as f64 / steps.max(1) as f64)
+}
+
+/// Coordinates at which a function is tabulated, in the unit of its coordinate: every 5°, or 20 steps of a linear axis.
+pub fn marks((low, high): (f64, f64), unit: Unit) -> Vec<f64> {
+    let (low, high) = (unit.from_inner(low), unit.from_inner(high));
+    let step = if unit == Unit::Deg { 5.0 } else { (high - low) / 20.0 };
+    if step <= 0.0 {
+        return vec![low];
+    }
+    // Rounding in degrees must not lose a point at either end.
+    let slack = 1e-9 * step;
+    let (first, last) = (((low - slack) / step).ceil() as i64, ((high + slack) / step).floor() as i64);
+    (first..=last).map(|i| i as f64 * step).collect()
+}
