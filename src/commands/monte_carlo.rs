@@ -66,9 +66,7 @@ impl MonteCarloArguments {
             false => text(self.trials, &studies),
         })
     }
-}
 
-impl MonteCarloArguments {
     /// The budget's intervals beside those of drawn measurements.
     fn check(&self, setup: &Setup, draws: Draws, estimators: &[Estimator]) -> Result<(), Refused> {
         let instrument = self.instrument.instrument(&setup.model)?;

@@ -167,11 +167,7 @@ fn observation(
 pub(super) fn known_functions(setup: &Setup) -> Option<(&str, Vec<FunctionId>)> {
     let sees = setup.derivation.runs.iter_enumerated().find(|(_, run)| !run.known.is_empty());
     let angle = setup.model.alphabet.sweep_name(setup.model.runs[sees?.0].sweep);
-    let seen = setup.derivation.runs.iter().flat_map(|r| r.known.iter().map(|(f, _)| *f));
-    let mut functions: Vec<FunctionId> = seen.collect();
-    functions.sort_unstable();
-    functions.dedup();
-    Some((angle, functions))
+    Some((angle, setup.known(setup.derivation.runs.keys())))
 }
 
 /// The coordinate of an axis that stands, rad or mm.

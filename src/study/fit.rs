@@ -283,13 +283,18 @@ impl Fit {
 
     /// How a base parameter depends on each reading.
     pub fn coefficient_sensitivity(&self, setup: &Setup, observations: &[Observation], base: BaseId) -> Weights {
-        self.weights(setup, observations, &self.placed([([(base, 1.0)].as_slice(), 1.0)]))
+        self.weights(setup, observations, &self.coefficient(base))
     }
 
     /// How the coefficients of a function, as it is seen, depend on each reading.
     pub fn coefficient_sensitivities(&self, setup: &Setup, observations: &[Observation], seen: &Seen) -> Vec<Weights> {
         let weights = |combination| self.weights(setup, observations, &self.placed([(combination, 1.0)]));
         seen.combinations().map(weights).collect()
+    }
+
+    /// A base parameter alone, in the order of `base`.
+    pub(super) fn coefficient(&self, base: BaseId) -> DVector<f64> {
+        self.placed([([(base, 1.0)].as_slice(), 1.0)])
     }
 
     /// Combinations of base parameters, each times a factor, in the order of `base`.

@@ -25,6 +25,9 @@ impl Fit {
         mut of: impl FnMut(Disturbed, &mut [f64]),
     ) -> DMatrix<f64> {
         let mut responses = DMatrix::zeros(self.base.len(), count);
+        if count == 0 {
+            return responses;
+        }
         let mut by = vec![0.0; count];
         for (at, observation) in observations.iter().enumerate() {
             let places = self.places(setup, observation);

@@ -163,6 +163,15 @@ impl Setup {
         self.model.functions.iter_enumerated().filter(|(_, f)| f.estimate).map(|(i, _)| i)
     }
 
+    /// The known functions that runs see, ascending.
+    pub fn known(&self, runs: impl Iterator<Item = RunId>) -> Vec<FunctionId> {
+        let mut known: Vec<FunctionId> =
+            runs.flat_map(|run| self.derivation.runs[run].known.iter().map(|(f, _)| *f)).collect();
+        known.sort_unstable();
+        known.dedup();
+        known
+    }
+
     /// The functions of a basis at a coordinate, mm or rad.
     pub fn basis(&self, function: FunctionId, x: f64) -> TiVec<TermId, f64> {
         self.model.functions[function].basis.values(x, &self.model.alphabet, &|n| self.constant(n))

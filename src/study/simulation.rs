@@ -46,15 +46,12 @@ impl Simulation {
 
     /// A run's sweep at every sample, rad: over the range, as far as its axes go.
     pub fn sweeps(&self, setup: &Setup, run: RunId) -> Vec<f64> {
-        match setup.reaches(run, self.range()) {
-            // In degrees, so that whole ones stay whole.
-            Ok(()) => grid(self.samples, self.range_deg).into_iter().map(f64::to_radians).collect(),
-            Err(_) => {
-                let (first, end) = setup.sweep_range(run, self.range());
-                let degrees = |rad: f64| (rad.to_degrees() * 1e9).round() / 1e9;
-                grid(self.samples, (degrees(first), degrees(end))).into_iter().map(f64::to_radians).collect()
-            }
-        }
+        let (first, end) = setup.sweep_range(run, self.range());
+        // In degrees, so that whole ones stay whole.
+        let degrees = |rad: f64| (rad.to_degrees() * 1e9).round() / 1e9;
+        let whole = (first, end) == self.range();
+        let range = if whole { self.range_deg } else { (degrees(first), degrees(end)) };
+        grid(self.samples, range).into_iter().map(f64::to_radians).collect()
     }
 
     /// A run's sweep at every sample and at the end, rad: a whole turn visits its end, too.

@@ -78,14 +78,14 @@ pub fn supplement(
     let mut checked = Vec::new();
     for seen in fitted.functions().iter().filter(|seen| seen.extent() != Extent::NotSeen) {
         let function = seen.function();
-        let unit = setup.quantity(function).deviation();
+        let (told, unit) = (seen.told(setup), setup.quantity(function).deviation());
         let of = setup.axis(function).map_or(Unit::Mm, |axis| coordinate(axis).coordinate());
         let range = visited(setup, function, runs().map(|run| (run, &sweeps[run])));
         for at in range.into_iter().flat_map(|range| between(range, STEPS)) {
             let budget = sources.function(seen, at).times(unit.from_inner(1.0));
             checked.push(Checked {
                 function: setup.function_name(function),
-                told: seen.told(setup),
+                told: told.clone(),
                 unit,
                 at: of.from_inner(at),
                 sum: [budget.of_the_sum().combined.expanded, 0.0],

@@ -1,5 +1,6 @@
 //! What to be wary of in a fit.
 
+use super::budget::{any_shape, without_table};
 use super::fit::{Fit, Observation};
 use super::separation::Separation;
 use super::setup::{Setup, coordinate};
@@ -192,20 +193,16 @@ fn conditions(setup: &Setup, observations: &[Observation], function: FunctionId)
 /// What leaving out the table costs: for each known function the largest error that one unit of it, of the worst shape, can
 /// cause in an estimated function.
 fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<Warning> {
-    let mut known: Vec<FunctionId> =
-        observations.iter().flat_map(|o| setup.derivation.runs[o.run].known.iter().map(|(f, _)| *f)).collect();
-    known.sort_unstable();
-    known.dedup();
+    let known = setup.known(observations.iter().map(|o| o.run));
+    let ignored = without_table(setup, observations);
     let mut costs: Vec<Vec<(String, Unit, f64)>> = vec![Vec::new(); known.len()];
     for function in setup.estimated() {
         let own = setup.quantity(function).deviation();
         let Some(range) = visited(setup, function, sweeps(observations)) else { continue };
-        for (cost, &k) in costs.iter_mut().zip(&known) {
+        for (cost, (&k, (_, factors))) in costs.iter_mut().zip(known.iter().zip(&ignored)) {
             let one = setup.quantity(k).deviation().to_inner(1.0);
-            let largest = between(range, 36).map(|x| {
-                let sensitivity = fit.sensitivity(setup, observations, function, x);
-                sensitivity.observations().zip(observations).map(|(w, o)| worst(setup, o, w, k)).sum::<f64>()
-            });
+            let of = |x| any_shape(&fit.sensitivity(setup, observations, function, x), factors);
+            let largest = between(range, 36).map(of);
             cost.push((setup.function_name(function), own, own.from_inner(largest.fold(0.0, f64::max) * one)));
         }
     }
@@ -215,12 +212,4 @@ fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<
         costs,
     };
     known.iter().zip(costs).map(warning).collect()
-}
-
-fn worst(setup: &Setup, observation: &Observation, weights: &[f64], known: FunctionId) -> f64 {
-    let Some(at) = setup.derivation.runs[observation.run].known.iter().position(|(f, _)| *f == known) else {
-        return 0.0;
-    };
-    let mut row = setup.row(observation.run);
-    observation.samples.iter().zip(weights).map(|(s, w)| (w * row.at(s.sweep).1[at]).abs()).sum()
 }

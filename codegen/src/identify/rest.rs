@@ -41,7 +41,7 @@ pub fn settle(model: &mut Model) -> Result<(), DeriveError> {
         let of =
             |a: &AxisId| model.axis(*a).is_some_and(|a| a.motion.contains(error) || a.location.contains(&Some(*error)));
         let Some(axis) = axes.iter().copied().find(of) else { continue };
-        let missing = difference(effect, folded.get(error), &model.runs.keys().collect::<Vec<_>>())?;
+        let missing = difference(effect, folded.get(error))?;
         if !missing.is_empty() && !vanishes(model, axis, *error)? {
             open.push((*error, axis, missing));
         }
@@ -130,13 +130,13 @@ fn by_sweep(coefficient: &Poly, alphabet: &Alphabet) -> Result<Vec<(Monomial, Po
 }
 
 /// What an error does in the runs in which its axis rests and is left out.
-fn difference(kept: &Effect, folded: Option<&Effect>, rests: &[RunId]) -> Result<Effect, AlgebraError> {
+fn difference(kept: &Effect, folded: Option<&Effect>) -> Result<Effect, AlgebraError> {
     let mut left = Effect::new();
-    for ((run, monomial), factor) in kept.iter().filter(|((run, _), _)| rests.contains(run)) {
-        let before = folded.and_then(|f| f.get(&(*run, *monomial)));
+    for (place, factor) in kept {
+        let before = folded.and_then(|f| f.get(place));
         let rest = before.map_or_else(|| Ok(factor.clone()), |before| factor.minus(before))?;
         if !rest.is_zero() {
-            left.insert((*run, *monomial), rest);
+            left.insert(*place, rest);
         }
     }
     Ok(left)

@@ -43,11 +43,7 @@ pub(super) fn instrumental(
 
 /// The known functions that the runs see.
 fn known(setup: &Setup, observations: &[Observation]) -> Vec<FunctionId> {
-    let seen = observations.iter().flat_map(|o| setup.derivation.runs[o.run].known.iter().map(|(f, _)| *f));
-    let mut known: Vec<FunctionId> = seen.collect();
-    known.sort_unstable();
-    known.dedup();
-    known
+    setup.known(observations.iter().map(|o| o.run))
 }
 
 /// The parts of the tables of known functions, as uncertain as their columns say.
@@ -70,7 +66,7 @@ pub(super) fn tables(setup: &Setup, observations: &[Observation], fit: &Fit) -> 
 }
 
 /// The known functions that the runs see and that were taken as zero, with their factors in every reading.
-pub(super) fn without_table(setup: &Setup, observations: &[Observation]) -> Ignored {
+pub(in crate::study) fn without_table(setup: &Setup, observations: &[Observation]) -> Ignored {
     let of = |function: FunctionId| {
         let factors = |o: &Observation| {
             let at = setup.derivation.runs[o.run].known.iter().position(|(f, _)| *f == function);

@@ -14,8 +14,10 @@ mod linearisation;
 mod parts;
 mod source;
 
+pub(super) use effects::without_table;
 pub use gum::{Combined, Contribution, combine};
 pub use instrument::Instrument;
+pub(super) use parts::any_shape;
 pub use source::{Line, Source};
 
 use super::fit::{Fit, Observation};
@@ -24,11 +26,11 @@ use super::seen::Seen;
 use super::setup::Setup;
 use assumed::{Assumptions, zeros};
 use confounding::{Limited, Sum};
-use effects::{Instrumental, instrumental, tables, without_table};
+use effects::{Instrumental, instrumental, tables};
 use lengths::Lengths;
 use linearisation::linearisation;
 use nalgebra::DVector;
-use parts::{Ignored, Parts, any_shape, std};
+use parts::{Ignored, Parts, std};
 use trunnion_codegen::identify::Origin;
 use trunnion_codegen::ids::BaseId;
 
@@ -112,11 +114,7 @@ impl<'a> Sources<'a> {
 
     /// Of a base parameter, in the units inside.
     pub fn coefficient(&self, base: BaseId) -> Budget {
-        let mut one = DVector::zeros(self.fit.base.len());
-        if let Ok(at) = self.fit.base.binary_search(&base) {
-            one[at] = 1.0;
-        }
-        Budget::new(self.lines(&one, None))
+        Budget::new(self.lines(&self.fit.coefficient(base), None))
     }
 
     /// Of a function at a coordinate, mm or rad.

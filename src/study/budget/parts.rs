@@ -13,10 +13,10 @@ pub(super) fn std(parts: &Parts, functional: &DVector<f64>) -> f64 {
 }
 
 /// Motion errors that are taken as zero or come without a table, each with its factors in every reading.
-pub(super) type Ignored = Vec<(ErrorId, Vec<Vec<f64>>)>;
+pub(in crate::study) type Ignored = Vec<(ErrorId, Vec<Vec<f64>>)>;
 
 /// The most that a motion error within 1 mm or 1 rad, of whatever shape, adds through its factors in the readings.
-pub(super) fn any_shape(weights: &Weights, factors: &[Vec<f64>]) -> f64 {
+pub(in crate::study) fn any_shape(weights: &Weights, factors: &[Vec<f64>]) -> f64 {
     let part = |(w, f): (&[f64], &Vec<f64>)| w.iter().zip(f).map(|(w, f)| (w * f).abs()).sum::<f64>();
     weights.observations().zip(factors).map(part).sum()
 }

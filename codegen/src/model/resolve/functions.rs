@@ -2,7 +2,7 @@
 
 use super::resolver::Resolver;
 use crate::algebra::ErrorId;
-use crate::algebra::{AlgebraError, Alphabet, Poly, Rational};
+use crate::algebra::{AlgebraError, Alphabet, Monomial, Poly, Rational};
 use crate::basis::{Basis, BasisFunction, Functions, LinearCondition, Univariate, satisfying};
 use crate::expression::{Scope, parse_equation};
 use crate::ids::FunctionId;
@@ -80,19 +80,28 @@ impl Resolver {
 /// Steps of 15° in a turn.
 const TURN: i32 = 24;
 
+/// An angle in steps of 15°, where it is some, within ten turns.
+fn steps(angle: &Poly) -> Result<Option<i32>, AlgebraError> {
+    let scaled = angle.scaled(&Rational::from(12))?;
+    let whole = match scaled.terms() {
+        [] => Some(0),
+        [(m, c)] if *m == Monomial::nominal(Alphabet::PI, 1) => c.to_integer(),
+        _ => None,
+    };
+    let within = whole.and_then(|steps| i32::try_from(steps).ok());
+    Ok(within.filter(|steps| steps.abs() <= 10 * TURN))
+}
+
 /// Where a turn begins over which the functions are periodic: a point of their conditions, in steps of 15°, a turn after which
 /// they all have the same value.
 fn turn_from(functions: &[Univariate], points: &[Poly], alphabet: &Alphabet) -> Result<Option<i32>, AlgebraError> {
     let at = |steps: i32| Poly::nominal(Alphabet::PI).scaled(&Rational::new(steps.into(), 12));
     let mut starts = Vec::new();
     for point in points {
-        for steps in -240..=240 {
-            if at(steps)? == point.normal(alphabet)? && !starts.contains(&steps) {
-                starts.push(steps);
-            }
-        }
+        starts.extend(steps(&point.normal(alphabet)?)?);
     }
     starts.sort_unstable();
+    starts.dedup();
     'starts: for &start in starts.iter().filter(|start| starts.contains(&(*start + TURN))) {
         for f in functions {
             if f.at(&at(start)?)?.normal(alphabet)? != f.at(&at(start + TURN)?)?.normal(alphabet)? {
