@@ -81,9 +81,9 @@ fn recovered(reports: &[(Report, Recovery)]) -> String {
         for (name, samples, rms) in &report.runs {
             let _ = writeln!(out, "  run {name}: {samples} samples, residuals {rms:.3} µm rms");
         }
-        let _ = writeln!(out, "  {:6} {:>14} {:>14} {:>10}", "", "estimate", "truth", "std");
+        let _ = writeln!(out, "  {:6} {:>14} {:>14} {:>10}", "", "estimate", "truth", "±");
         for (c, truth) in report.coefficients.iter().zip(&recovery.coefficients) {
-            let _ = writeln!(out, "  {:6} {:>14.6e} {truth:>14.6e} {:>10.1e} {}", c.name, c.value, c.std, c.unit);
+            let _ = writeln!(out, "  {:6} {:>14.6e} {truth:>14.6e} {:>10.1e} {}", c.name, c.value, c.u95, c.unit);
         }
         for (curve, RecoveredFunction { largest, inside, .. }) in report.functions.iter().zip(&recovery.functions) {
             let _ = writeln!(
@@ -96,13 +96,12 @@ fn recovered(reports: &[(Report, Recovery)]) -> String {
         }
     }
     let first = reports.first().map(|(report, _)| report);
-    let dropped = first.into_iter().flat_map(|r| r.runs.iter().zip(&r.neglected));
-    let dropped: Vec<String> = dropped.map(|((name, ..), um)| format!("{um:.3} µm ({name})")).collect();
-    let _ = writeln!(
-        out,
-        "\nThe second-order terms that linearisation drops are at most {} on any such machine.",
-        dropped.join(", ")
-    );
+    let dropped = first.into_iter().flat_map(|r| r.runs.iter().zip(&r.neglected_usual).zip(&r.neglected));
+    for (((name, ..), usual), second) in dropped {
+        let _ = write!(out, "\nLinearisation drops up to {usual:.3} µm of {name} on 95 % of such machines");
+        let _ = write!(out, "; the second order is never over {second:.3} µm");
+    }
+    let _ = writeln!(out);
     out
 }
 

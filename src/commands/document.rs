@@ -7,8 +7,10 @@ use trunnion_codegen::identify::Extent;
 
 /// One object: model, estimator, runs, coefficients, functions, condition, warnings.
 pub fn report(report: &Report, radius_mm: f64) -> Value {
-    let runs = report.runs.iter().zip(&report.neglected).map(|((name, samples, rms), neglected)| {
-        (name.clone(), json!({ "samples": samples, "rms_um": rms, "neglected_um": neglected }))
+    let dropped = report.neglected.iter().zip(&report.neglected_usual);
+    let runs = report.runs.iter().zip(dropped).map(|((name, samples, rms), (neglected, usual))| {
+        let run = json!({ "samples": samples, "rms_um": rms, "neglected_um": neglected, "neglected_usual_um": usual });
+        (name.clone(), run)
     });
     let coefficients = report.coefficients.iter();
     let coefficients = coefficients.map(|c| json!({ "name": c.name, "definition": c.definition, "value": c.value, "noise_std": c.noise_std, "std": c.std, "u95": c.u95, "unit": c.unit, "budget": budget(&c.budget) }));

@@ -33,6 +33,8 @@ pub struct Report {
     pub condition: f64,
     /// Per run, the largest second-order reading that linearisation drops within the stated limits, µm.
     pub neglected: Vec<f64>,
+    /// Per run, what it drops of all orders: not more on 95 % of the machines within the limits, µm.
+    pub neglected_usual: Vec<f64>,
     /// What to be wary of.
     pub warnings: Vec<Warning>,
 }
@@ -109,6 +111,7 @@ pub fn report(
         functions,
         condition: fit.separation.condition,
         neglected: bounds.iter().map(|b| Unit::Um.from_inner(b.iter().copied().fold(0.0, f64::max))).collect(),
+        neglected_usual: sources.dropped().iter().map(|size| Unit::Um.from_inner(*size)).collect(),
         warnings: warnings(setup, observations, fit, without_table),
     })
 }

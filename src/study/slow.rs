@@ -2,7 +2,8 @@
 //!
 //! An error of the instrument, or of a table, that stays the same from one reading to the next is not averaged away. Of what
 //! shape it is nobody knows; it is taken as slow: a constant and the first harmonics of the sweep, each with an equal share of
-//! the variance, so that its standard uncertainty is the stated one at every reading.
+//! the variance, so that its standard uncertainty is the stated one at every reading. All runs of a measurement are made with one
+//! instrument: its slow error is one function of the sweep, the same in every run.
 
 /// Harmonics of the sweep in a slow error.
 const HARMONICS: usize = 4;

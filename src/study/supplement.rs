@@ -19,6 +19,7 @@ use super::weights::Weights;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use statrs::distribution::{ContinuousCDF, Normal};
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
@@ -103,13 +104,12 @@ pub fn supplement(
             .map(|run| {
                 let known = setup.true_known(run, &exact[run], &machine);
                 let mut row = setup.row(run);
-                let shape: Vec<f64> = (0..SLOW).map(|_| normal(&mut random) * instrument.constant).collect();
                 let reading = |(i, clean): (usize, f64)| {
                     let sweep = sweeps[run][i];
                     let noise = random.random_range(-1.0..=1.0) * draws.noise;
                     let explained: f64 =
                         row.at(sweep).1.iter().zip(known.get(i).into_iter().flatten()).map(|(f, k)| f * k).sum();
-                    clean + noise + common.error(setup, run, sweep, clean, &shape) - explained
+                    clean + noise + common.error(setup, run, sweep, clean) - explained
                 };
                 exact[run].values(&machine).enumerate().map(reading).collect()
             })
@@ -140,6 +140,8 @@ pub fn supplement(
 
 /// What is the same in all runs of one measurement.
 struct Common {
+    /// Of the functions of a slow error, mm.
+    slow: [f64; SLOW],
     proportional: f64,
     length: f64,
     expansion: f64,
@@ -149,21 +151,17 @@ impl Common {
     fn new(instrument: &Instrument, random: &mut impl Rng) -> Self {
         let mut bounded = |std: f64| random.random_range(-1.0..=1.0) * std * 3f64.sqrt();
         let (proportional, length) = (bounded(instrument.proportional), bounded(instrument.bar_length));
-        Self { proportional, length, expansion: bounded(instrument.temperature) * instrument.expansion }
+        let expansion = bounded(instrument.temperature) * instrument.expansion;
+        let mut normal = || Normal::standard().inverse_cdf(random.random_range(f64::EPSILON..1.0));
+        Self { slow: std::array::from_fn(|_| normal() * instrument.constant), proportional, length, expansion }
     }
 
     /// What the instrument adds to a reading, mm.
-    fn error(&self, setup: &Setup, run: RunId, sweep: f64, reading: f64, shape: &[f64]) -> f64 {
+    fn error(&self, setup: &Setup, run: RunId, sweep: f64, reading: f64) -> f64 {
         let mut waves = [0.0; SLOW];
         slow(sweep, &mut waves);
-        let constant: f64 = waves.iter().zip(shape).map(|(w, s)| w * s).sum();
+        let constant: f64 = waves.iter().zip(&self.slow).map(|(w, s)| w * s).sum();
         let bar = setup.bar(run).map_or(0.0, |bar| self.length + bar * self.expansion);
         constant + reading * self.proportional + bar
     }
-}
-
-/// A standard normal number, by Box and Muller.
-fn normal(random: &mut impl Rng) -> f64 {
-    let (u, v): (f64, f64) = (random.random_range(f64::EPSILON..1.0), random.random());
-    (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
 }

@@ -17,10 +17,12 @@ const TERMS: usize = 5;
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}: {} estimate", self.model, self.estimator)?;
-        for ((name, samples, rms), dropped) in self.runs.iter().zip(&self.neglected) {
+        let dropped = self.neglected.iter().zip(&self.neglected_usual);
+        for ((name, samples, rms), (second, usual)) in self.runs.iter().zip(dropped) {
+            writeln!(f, "run {name}: {samples} samples, residuals {rms:.3} µm rms")?;
             writeln!(
                 f,
-                "run {name}: {samples} samples, residuals {rms:.3} µm rms; second order at most {dropped:.3} µm"
+                "  linearisation drops up to {usual:.3} µm on 95 % of machines; second order never over {second:.3} µm"
             )?;
         }
         let round = |x: f64| (x * 1e6).round() / 1e6;

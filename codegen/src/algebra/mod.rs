@@ -31,7 +31,7 @@ pub use poly::{Order, Poly, Term};
 pub use rational::{Rational, integer, to_f64};
 pub use symbol::{ErrorId, NominalId, SweepId};
 pub use turn::Turned;
-pub use value::{at, nominal_value, wrapped_value};
+pub use value::{at, nominal_value, whole_turns, wrapped_value};
 pub use wrapped::WrappedAngle;
 
 /// Why an exact computation could not be carried out.

@@ -32,5 +32,10 @@ pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: i
 /// An angle less whole turns, in `start · π/12` and a turn from there, rad.
 pub fn wrapped_value(angle: f64, start: i32) -> f64 {
     let start = f64::from(start) * core::f64::consts::PI / 12.0;
-    angle - core::f64::consts::TAU * ((angle - start) / core::f64::consts::TAU).floor()
+    angle - core::f64::consts::TAU * whole_turns((angle - start) / core::f64::consts::TAU)
+}
+
+/// The largest whole number not above `turns`; NaN from 2²⁶ turns on, where half the digits of what is left over are lost.
+pub fn whole_turns(turns: f64) -> f64 {
+    if turns.abs() < f64::from(1 << 26) { turns.floor() } else { f64::NAN }
 }

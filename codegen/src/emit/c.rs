@@ -3,7 +3,7 @@
 use crate::graph::Constant;
 
 use super::function::{Form, Function};
-use super::infix::{Dialect, Infix, decimal};
+use super::infix::{Dialect, Infix, WHOLE_TURNS, decimal};
 use super::layout::listed;
 use super::names::{Names, Rules};
 
@@ -56,6 +56,20 @@ pub fn function(function: &Function, real: Precision) -> String {
     }
     text += "}\n";
     text
+}
+
+/// What the printed functions call and C has not, if `source` calls it; goes before them once.
+#[must_use]
+pub fn support(source: &str, real: Precision) -> String {
+    let (kind, called) = (real.name(), real.function(WHOLE_TURNS));
+    if !source.contains(&format!("{called}(")) {
+        return String::new();
+    }
+    let (floor, fabs, most) = (real.function("floor"), real.function("fabs"), real.pick("67108864.0", "4096.0f"));
+    format!(
+        "\n/* The largest whole number not above `turns`; NAN where half the digits of what is left over are lost. */\n\
+         static {kind} {called}({kind} turns)\n{{\n    return {fabs}(turns) < {most} ? {floor}(turns) : NAN;\n}}\n"
+    )
 }
 
 /// The names of a printed function's inputs.
@@ -165,6 +179,10 @@ const RESERVED: &[&str] = &[
     "atan2",
     "floor",
     "floorf",
+    "fabs",
+    "fabsf",
+    "whole_turns",
+    "whole_turnsf",
     "sinf",
     "cosf",
     "sqrtf",

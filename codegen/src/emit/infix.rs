@@ -14,6 +14,9 @@ pub(super) trait Dialect {
     fn function(&self, name: &'static str) -> String;
 }
 
+/// The function for whole turns, which no language has by itself.
+pub(super) const WHOLE_TURNS: &str = "whole_turns";
+
 /// An exact constant in decimal, or as the quotient that a compiler rounds correctly.
 pub(super) fn decimal(r: &Rational) -> String {
     let decimal = |value: f64| format!("{value:?}");
@@ -52,7 +55,7 @@ pub(super) fn operator(step: Step) -> Option<(Binding, Binding, char)> {
         Step::Mul(..) => (Binding::Product, Binding::Operand, '*'),
         Step::Div(..) => (Binding::Product, Binding::Operand, '/'),
         Step::Neg(_) => (Binding::Sum, Binding::Operand, '-'),
-        Step::Sqrt(_) | Step::Sin(_) | Step::Cos(_) | Step::Floor(_) => return None,
+        Step::Sqrt(_) | Step::Sin(_) | Step::Cos(_) | Step::WholeTurns(_) => return None,
     })
 }
 
@@ -131,7 +134,7 @@ impl<D: Dialect> Infix<'_, D> {
         let name = match step {
             Step::Sin(_) => "sin",
             Step::Cos(_) => "cos",
-            Step::Floor(_) => "floor",
+            Step::WholeTurns(_) => WHOLE_TURNS,
             _ => "sqrt",
         };
         *text += &self.dialect.function(name);

@@ -6,13 +6,26 @@ use crate::model::Model;
 
 use super::function::{Form, Function};
 use super::header::header;
-use super::infix::{Dialect, Infix, decimal};
+use super::infix::{Dialect, Infix, WHOLE_TURNS, decimal};
 use super::layout::listed;
 use super::model::functions;
 use super::names::{Names, Rules, Scope};
 
 /// `import numpy as np`, which the functions of a file need once.
 pub const IMPORTS: &str = "import numpy as np\n";
+
+/// What the printed functions call and NumPy has not, if `source` calls it; goes before them once.
+#[must_use]
+pub fn support(source: &str) -> &'static str {
+    if source.contains(&format!("{WHOLE_TURNS}(")) { SUPPORT } else { "" }
+}
+
+const SUPPORT: &str = r#"
+
+def whole_turns(turns):
+    """The largest whole number not above `turns`; nan where half the digits of what is left over are lost."""
+    return np.where(np.abs(turns) < 67108864.0, np.floor(turns), np.nan)
+"#;
 
 const RULES: Rules = Rules { lower_case: false, places: false, reserved: RESERVED };
 
@@ -37,11 +50,10 @@ pub fn model_source(model: &Model, derivation: &Derivation) -> Result<String, Un
         text += &format!("\n# Positions in NAMES of the base parameters that run `{}` sees.\n", run.name);
         text += &listed(&format!("{list} = ["), &seen, "]\n", 4);
     }
-    for (function, called) in functions.iter().zip(&called) {
-        text += "\n\n";
-        text += &function_as(function, called);
-    }
-    Ok(text)
+    let printed =
+        functions.iter().zip(&called).map(|(function, called)| format!("\n\n{}", function_as(function, called)));
+    let printed = printed.collect::<String>();
+    Ok(text + support(&printed) + &printed)
 }
 
 /// `def name(R, a)`. An array or matrix has its own axes before those of the inputs. Several outputs are returned as a tuple.
@@ -103,7 +115,7 @@ impl Dialect for NumPy {
     }
 
     fn function(&self, name: &'static str) -> String {
-        format!("np.{name}")
+        if name == WHOLE_TURNS { name.to_owned() } else { format!("np.{name}") }
     }
 }
 
@@ -112,5 +124,5 @@ impl Dialect for NumPy {
 const RESERVED: &[&str] = &[
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
     "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
-    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "np", "shape", "k",
+    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "np", "shape", "k", "whole_turns",
 ];

@@ -51,7 +51,7 @@ impl Graph {
             // (√u)′ = u′ / (2√u)
             Node::Sqrt(u) => self.monomial(Rational::new(1, 2), &[(known[u.index()], 1), (id, -1)]),
             // Constant but where it jumps.
-            Node::Floor(_) => Id::ZERO,
+            Node::WholeTurns(_) => Id::ZERO,
             Node::Sin(u) => {
                 let cos = self.cos(u);
                 self.product(&[cos, known[u.index()]])

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::build::Graph;
 use super::node::{Id, Node, Symbol};
-use super::to_f64;
+use super::{to_f64, whole_turns};
 
 /// An expression uses a symbol that was given no value, or is no input of the function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -53,7 +53,7 @@ impl Graph {
                 Node::Sqrt(u) => at(*u).sqrt(),
                 Node::Sin(u) => at(*u).sin(),
                 Node::Cos(u) => at(*u).cos(),
-                Node::Floor(u) => at(*u).floor(),
+                Node::WholeTurns(u) => whole_turns(at(*u)),
             };
         }
         Ok(known.last().copied().unwrap_or(0.0))

@@ -41,11 +41,11 @@ impl Graph {
         self.intern(Node::Cos(a))
     }
 
-    /// ⌊a⌋
-    pub fn floor(&mut self, a: Id) -> Id {
+    /// ⌊a⌋ of `a` turns; not a number where they are so many that half the digits of what is left over are lost.
+    pub fn whole_turns(&mut self, a: Id) -> Id {
         match self.node(a) {
             Node::Rational(r) if r.to_integer().is_some() => a,
-            _ => self.intern(Node::Floor(a)),
+            _ => self.intern(Node::WholeTurns(a)),
         }
     }
 
@@ -55,7 +55,7 @@ impl Graph {
         let of_turn = self.monomial(Rational::new(1, 2), &[(angle, 1), (Id::PI, -1)]);
         let from = self.rational(-turns);
         let past = self.sum(&[of_turn, from]);
-        let whole = self.floor(past);
+        let whole = self.whole_turns(past);
         let back = self.monomial(Rational::from(-2), &[(Id::PI, 1), (whole, 1)]);
         self.sum(&[angle, back])
     }

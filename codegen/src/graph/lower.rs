@@ -67,9 +67,9 @@ impl Graph {
                     let u = lowering.at(*u);
                     lowering.step(Step::Sqrt(u))
                 }
-                Node::Floor(u) => {
+                Node::WholeTurns(u) => {
                     let u = lowering.at(*u);
-                    lowering.step(Step::Floor(u))
+                    lowering.step(Step::WholeTurns(u))
                 }
                 Node::Sin(u) => lowering.angle(*u, angles.get(u).copied().unwrap_or_default())[0],
                 Node::Cos(u) => lowering.angle(*u, angles.get(u).copied().unwrap_or_default())[1],

@@ -30,6 +30,7 @@ mod tape;
 #[cfg(test)]
 mod tests;
 
+use crate::algebra::whole_turns;
 pub use crate::algebra::{Rational, to_f64};
 pub use build::Graph;
 pub use evaluate::Unbound;

@@ -74,8 +74,8 @@ pub enum Node {
     Sin(Id),
     /// Cosine of an angle in rad.
     Cos(Id),
-    /// The largest whole number that is not above it.
-    Floor(Id),
+    /// The largest whole number that is not above a number of turns; not a number where too few digits are left of them.
+    WholeTurns(Id),
 }
 
 impl Node {
@@ -85,7 +85,7 @@ impl Node {
             Node::Symbol(_) | Node::Rational(_) | Node::Pi | Node::Sqrt2 => (&[], &[], None),
             Node::Sum(terms) => (terms, &[], None),
             Node::Product(_, factors) => (&[], factors, None),
-            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) | Node::Floor(u) => (&[], &[], Some(*u)),
+            Node::Sqrt(u) | Node::Sin(u) | Node::Cos(u) | Node::WholeTurns(u) => (&[], &[], Some(*u)),
         };
         let terms = terms.iter().map(|term| term.node).filter(|&node| node != Id::ONE);
         let factors = factors.iter().map(|factor| factor.base);

@@ -55,8 +55,8 @@ pub enum Step {
     Sin(Value),
     /// cos a
     Cos(Value),
-    /// ⌊a⌋
-    Floor(Value),
+    /// ⌊a⌋ of a turns; not a number where too few digits are left of them
+    WholeTurns(Value),
 }
 
 impl Step {
@@ -64,7 +64,7 @@ impl Step {
     pub fn operands(self) -> impl Iterator<Item = Value> {
         let (a, b) = match self {
             Step::Add(a, b) | Step::Sub(a, b) | Step::Mul(a, b) | Step::Div(a, b) => (a, Some(b)),
-            Step::Neg(a) | Step::Sqrt(a) | Step::Sin(a) | Step::Cos(a) | Step::Floor(a) => (a, None),
+            Step::Neg(a) | Step::Sqrt(a) | Step::Sin(a) | Step::Cos(a) | Step::WholeTurns(a) => (a, None),
         };
         [Some(a), b].into_iter().flatten()
     }
@@ -182,7 +182,7 @@ impl Program {
                 Step::Add(..) | Step::Sub(..) | Step::Neg(_) => count.additions += 1,
                 Step::Div(..) => count.divisions += 1,
                 Step::Sqrt(_) => count.roots += 1,
-                Step::Floor(_) => count.floors += 1,
+                Step::WholeTurns(_) => count.floors += 1,
                 Step::Sin(_) | Step::Cos(_) => count.angles += usize::from(!self.is_fused_cosine(at)),
             }
         }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::program::{Constant, Program, Step, Value};
+use super::whole_turns;
 
 /// One operation on registers; its result goes to the next register.
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +16,7 @@ enum Operation {
     Sqrt(u32),
     Sin(u32),
     Cos(u32),
-    Floor(u32),
+    WholeTurns(u32),
     /// Gives two results: sine, then cosine.
     SinCos(u32),
 }
@@ -88,7 +89,7 @@ impl Tape {
                 Step::Sqrt(a) => Operation::Sqrt(register(a)),
                 Step::Sin(a) => Operation::Sin(register(a)),
                 Step::Cos(a) => Operation::Cos(register(a)),
-                Step::Floor(a) => Operation::Floor(register(a)),
+                Step::WholeTurns(a) => Operation::WholeTurns(register(a)),
             });
         }
         let outputs = program.outputs().iter().map(|&value| register(value)).collect();
@@ -150,7 +151,7 @@ impl Evaluator<'_> {
                 Operation::Sqrt(a) => at(a).sqrt(),
                 Operation::Sin(a) => at(a).sin(),
                 Operation::Cos(a) => at(a).cos(),
-                Operation::Floor(a) => at(a).floor(),
+                Operation::WholeTurns(a) => whole_turns(at(a)),
                 Operation::SinCos(a) => {
                     let (sin, cos) = at(a).sin_cos();
                     registers[next] = sin;

@@ -20,12 +20,16 @@ pub fn assert_close(actual: f64, expected: f64, scale: f64, epsilon: f64, what: 
     assert!(ulps <= 4.0, "{what}: {actual:e} instead of {expected:e}, {ulps} units of the last place");
 }
 
-/// The size of the terms that cancel in output `index` of the tilting row at `point`: only the quartics have any.
+/// The size of the terms that cancel in output `index` of the tilting row at `point`: those of the quartics, the turns that are
+/// taken off, and the angle of the high harmonic.
 pub fn tilting_scale(index: usize, point: &[f64]) -> f64 {
     let (pi, a) = (std::f64::consts::PI, point[1].abs());
     match index {
         8 => point[0] * (a.powi(4) + 2.0 * pi * a.powi(3) + 2.0 * pi * pi * a * a + 4.0 * pi.powi(3) * a),
         9 => point[0] * (a.powi(3) + 3.0 * pi * a * a + 2.0 * pi * pi * a),
+        10 => a + 2.0 * pi,
+        11 => 3.0 * a + 2.0 * pi,
+        12 => 64.0 * a,
         _ => 0.0,
     }
 }

@@ -19,7 +19,11 @@ impl Case {
     }
 }
 
-/// The regressors of the tilting table, T(7) and T(9), and the quartics of (10) with π in them.
+/// Outputs of the row below.
+pub const ROW: usize = 13;
+
+/// The regressors of the tilting table, T(7) and T(9), the quartics of (10) with π in them, angles less whole turns and a high
+/// harmonic.
 pub fn tilting() -> Case {
     let mut g = Graph::new();
     let [radius, a] = g.inputs();
@@ -42,6 +46,11 @@ pub fn tilting() -> Case {
         let sum = g.sum(terms);
         elements.push((name, g.product(&[radius, sum])));
     }
+    let thrice = g.linear(&[(Rational::from(-3), a)]);
+    let wave = g.linear(&[(Rational::from(64), a)]);
+    elements.push(("turn", g.wrapped(a, 0)));
+    elements.push(("third", g.wrapped(thrice, -12)));
+    elements.push(("wave", g.sin(wave)));
     let outputs = elements.iter().map(|(_, id)| *id).collect();
     let docs = ["Regressors of the tilting run at angle `a` in rad for bar length `R` in mm."];
     let inputs = vec!["R", "a"];

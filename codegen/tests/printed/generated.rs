@@ -4,13 +4,16 @@ use super::support::Real;
 
 /// Regressors of the tilting run at angle `a` in rad for bar length `R` in mm.
 ///
-/// 24 multiplications, 5 additions, 1 sine and cosine.
+/// 32 multiplications, 9 additions, 1 division, 2 roundings, 2 sines and cosines.
 #[must_use]
-pub fn tilting<T: Real>(r: T, a: T) -> [T; 10] {
+pub fn tilting<T: Real>(r: T, a: T) -> [T; 13] {
+    let n1_2 = T::of(0.5);
+    let n3_2 = T::of(1.5);
     let n2 = T::of(2.0);
     let n3 = T::of(3.0);
     let pi = T::of(core::f64::consts::PI);
     let n4 = T::of(4.0);
+    let n64 = T::of(64.0);
 
     let (sin_a, cos_a) = a.sine_cosine();
     let t1 = r * sin_a;
@@ -19,6 +22,8 @@ pub fn tilting<T: Real>(r: T, a: T) -> [T; 10] {
     let t4 = a * a;
     let t5 = a * pi;
     let t6 = pi * pi;
+    let t7 = a / pi;
+    let sin = (n64 * a).sine_cosine().0;
 
     let k1 = t1 * t2;
     let k2 = r * t3 * t3;
@@ -30,8 +35,11 @@ pub fn tilting<T: Real>(r: T, a: T) -> [T; 10] {
     let k8 = r;
     let e_xa1 = r * (t4 * t4 - n2 * (t4 * t5) - n2 * (t4 * t6) + n4 * (t5 * t6));
     let e_xa2 = r * (a * t4 - n3 * (pi * t4) + n2 * (pi * t5));
+    let turn = a - n2 * (pi * (n1_2 * t7).whole_turns());
+    let third = -(n3 * a) - n2 * (pi * (n1_2 - n3_2 * t7).whole_turns());
+    let wave = sin;
 
-    [k1, k2, k3, k4, k5, k6, k7, k8, e_xa1, e_xa2]
+    [k1, k2, k3, k4, k5, k6, k7, k8, e_xa1, e_xa2, turn, third, wave]
 }
 
 /// A residual and its exact Jacobian.

@@ -8,6 +8,9 @@ mod python;
 mod support {
     pub trait Real: num_traits::Float {
         fn of(x: f64) -> Self;
+        fn whole_turns(self) -> Self {
+            self.floor()
+        }
         fn sine_cosine(self) -> (Self, Self) {
             self.sin_cos()
         }

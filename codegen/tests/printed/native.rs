@@ -7,7 +7,7 @@ use std::process::Command;
 use trunnion_codegen::emit::{c, header};
 
 use super::compare::{STRUT, STRUT_SCALE, TILTING, assert_close, points, tilting_scale};
-use super::functions::{Case, strut, tilting};
+use super::functions::{Case, ROW, strut, tilting};
 
 /// What the compiled function gives at each point, or `None` where there is no compiler and CI does not ask for one.
 fn run(
@@ -20,7 +20,8 @@ fn run(
 ) -> Option<Vec<Vec<f64>>> {
     let kind = if real == c::Precision::Double { "double" } else { "float" };
     let mut source = header("//", "a test") + "#include <math.h>\n#include <stdio.h>\n\n";
-    source += &c::function(&case.function, real);
+    let function = c::function(&case.function, real);
+    source += &(c::support(&function, real) + &function);
     let width = case.inputs.len();
     writeln!(source, "static const {kind} points[][{width}] = {{").unwrap();
     for point in points {
@@ -64,7 +65,7 @@ fn c_computes_the_row() {
         if real == c::Precision::Float {
             points.iter_mut().flatten().for_each(|value| *value = f64::from(*value as f32));
         }
-        let Some(rows) = run(name, &case, real, &points, "tilting(p[0], p[1], o);", 10) else {
+        let Some(rows) = run(name, &case, real, &points, "tilting(p[0], p[1], o);", ROW) else {
             return;
         };
         assert_eq!(rows.len(), points.len());

@@ -6,7 +6,7 @@ use std::process::Command;
 use trunnion_codegen::emit::{header, numpy};
 
 use super::compare::{STRUT, STRUT_SCALE, TILTING, assert_close, points, tilting_scale};
-use super::functions::{Case, strut, tilting};
+use super::functions::{Case, ROW, strut, tilting};
 
 /// A row of outputs for each point, or `None` where Python has no NumPy and CI does not ask for it. `PYTHON` names
 /// another interpreter than `python3`.
@@ -17,7 +17,9 @@ fn run(name: &str, case: &Case, points: &[Vec<f64>], result: &str) -> Option<Vec
         println!("skipped: no NumPy");
         return None;
     }
-    let mut source = header("#", "a test") + numpy::IMPORTS + "\n\n" + &numpy::function(&case.function);
+    let mut source = header("#", "a test") + numpy::IMPORTS;
+    let function = numpy::function(&case.function);
+    source += &(numpy::support(&function).to_owned() + "\n\n" + &function);
     source += &format!("\n\np = np.array({points:?}).T\nresult = {name}(*p)\nrows = np.vstack({result})\n");
     source += "for row in rows.T:\n    print(*[repr(float(value)) for value in row])\n";
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.py"));
@@ -37,7 +39,7 @@ fn numpy_computes_the_row() {
     };
     assert_eq!(rows.len(), points.len());
     for (row, point) in rows.iter().zip(&points) {
-        assert_eq!(row.len(), 10);
+        assert_eq!(row.len(), ROW);
         for (index, (&actual, expected)) in row.iter().zip(case.expected(point)).enumerate() {
             assert_close(actual, expected, tilting_scale(index, point), f64::EPSILON, &format!("output {index}"));
         }

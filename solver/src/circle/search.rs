@@ -37,10 +37,11 @@ struct Gap<T> {
     slope: T,
 }
 
-/// A centre, the width of its zone, and what holds it.
+/// A centre and what holds its zone.
 #[derive(Clone, Copy)]
 struct Held<T> {
     centre: Point<T>,
+    /// Of the zone, with what rounding may have taken off it: far out that is all there is.
     width: T,
     contacts: [usize; 4],
     /// Whether the contacts alternate, as seen from the centre.
@@ -196,7 +197,7 @@ impl<T: Real> Cloud<'_, T> {
         let inner = (outer * outer - gap).max(T::zero()).sqrt();
         let centre = edge.at(t);
         // The estimate costs nothing; what it lets pass is measured.
-        let width = if gap < most * (outer + inner) { self.width(&centre) } else { most };
+        let width = if gap < most * (outer + inner) { self.width(&centre) + rounding::<T>() * outer } else { most };
         if width.is_nan() || width >= most {
             return;
         }

@@ -49,11 +49,15 @@ pub(super) fn take<T: Real>(points: &[Point<T>], at: [usize; 4]) -> Option<[Poin
     Some([a?, b?, c?, d?])
 }
 
-/// Whether four points are met in turn when going round the centre once.
+/// Whether four points are met in turn when going round the centre once. One of the outer and one of the inner circle in the
+/// same direction are in turn either way: no move of the centre brings them nearer to each other.
 pub(super) fn in_turn<T: Real>(centre: &Point<T>, held: &[Point<T>; 4]) -> bool {
+    let (turn, same) = (T::of(core::f64::consts::TAU), T::of(1e3) * T::epsilon());
     let first = angle(centre, &held[0]);
     let [_, b, c, d] = held.map(|p| ahead(first, angle(centre, &p)));
-    b > T::zero() && b < c && c < d
+    let b = if b > turn - same { b - turn } else { b };
+    let d = if d < same { d + turn } else { d };
+    b >= -same && b <= c + same && c <= d + same
 }
 
 /// The direction of a point seen from a centre.

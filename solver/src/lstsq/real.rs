@@ -15,6 +15,9 @@ pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
     /// Whether all values are finite, without floating-point arithmetic.
     fn all_finite(values: &[Self]) -> bool;
 
+    /// The largest whole number not above a number of turns; NaN where half the digits of what is left over are lost.
+    fn whole_turns(self) -> Self;
+
     /// Sine and cosine of an angle in rad, calculated in this type alone.
     fn sine_cosine(self) -> (Self, Self);
 }
@@ -36,6 +39,13 @@ macro_rules! real {
             fn all_finite(values: &[Self]) -> bool {
                 let largest = values.iter().fold(0, |largest, v| v.abs().to_bits().max(largest));
                 largest < <$t>::INFINITY.to_bits()
+            }
+
+            #[inline]
+            fn whole_turns(self) -> Self {
+                const MOST: $t = (1_u32 << (<$t>::MANTISSA_DIGITS / 2)) as $t;
+                // A comparison with NaN is false.
+                if self.abs() < MOST { Float::floor(self) } else { <$t>::NAN }
             }
 
             #[inline]

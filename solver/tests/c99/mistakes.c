@@ -55,6 +55,8 @@ int main(void)
     EXPECT(tilting_table_a_push_tilting(&fit, inf, 1, 0, 0, 0), NOT_FINITE);
     EXPECT(tilting_table_a_push_tilting(&fit, MAXIMUM, 1, 0, 0, 0), NOT_FINITE);
     EXPECT(tilting_table_a_push_tilting(&fit, 150, 1, 0, inf, 0), NOT_FINITE);
+    /* So many turns that nothing is known of the angle. */
+    EXPECT(tilting_table_a_push_tilting(&fit, 150, (REAL)1e9, 0, 0, 0), NOT_FINITE);
     EXPECT(tilting_table_a_push_separation(&fit, 150, 1, -inf), NOT_FINITE);
     CHECK(memcmp(&before, &fit, sizeof fit) == 0);
 
@@ -65,6 +67,7 @@ int main(void)
     }
     EXPECT(tilting_table_a_solve(&fit, &estimate), OK);
     EXPECT(tilting_table_a_value_of_e_xa(&estimate, 150, nan, &value, &std), NOT_FINITE);
+    EXPECT(tilting_table_a_value_of_e_xa(&estimate, 150, (REAL)1e9, &value, &std), NOT_FINITE);
     EXPECT(tilting_table_a_value_of_e_xa(&estimate, 150, 1, NULL, &std), NULL_POINTER);
     EXPECT(tilting_table_a_value_of_e_xa(&estimate, 150, 1, &value, &std), OK);
     CHECK(value == 0 && std == 0);

@@ -7,8 +7,8 @@ use crate::study::setup::Setup;
 use crate::study::slow::{SLOW, slow};
 use trunnion_codegen::ids::FunctionId;
 
-/// The instrument's parts by source: what stays the same along a run, what is proportional to the reading, the bar's length,
-/// its temperature.
+/// The instrument's parts by source: what stays the same from reading to reading and from run to run, what is proportional to
+/// the reading, the bar's length, its temperature.
 pub(super) struct Instrumental {
     pub constant: Parts,
     pub proportional: Parts,
@@ -22,11 +22,9 @@ pub(super) fn instrumental(
     fit: &Fit,
     instrument: &Instrument,
 ) -> Instrumental {
-    let runs = observations.len();
-    let constant = fit.responses(setup, observations, runs * SLOW, |d, by| {
-        let own = &mut by[d.observation * SLOW..(d.observation + 1) * SLOW];
-        slow(d.sample.sweep, own);
-        own.iter_mut().for_each(|x| *x *= instrument.constant);
+    let constant = fit.responses(setup, observations, SLOW, |d, by| {
+        slow(d.sample.sweep, by);
+        by.iter_mut().for_each(|x| *x *= instrument.constant);
     });
     let one = |of: &dyn Fn(usize, f64) -> f64| {
         fit.responses(setup, observations, 1, |d, by| by[0] = of(d.observation, d.sample.reading))

@@ -28,7 +28,7 @@ use assumed::{Assumptions, zeros};
 use confounding::{Limited, Sum};
 use effects::{Instrumental, instrumental, tables};
 use lengths::Lengths;
-use linearisation::linearisation;
+use linearisation::{Dropped, linearisation};
 use nalgebra::DVector;
 use parts::{Ignored, Parts, std};
 use trunnion_codegen::identify::Origin;
@@ -49,7 +49,7 @@ pub struct Sources<'a> {
     lengths: Lengths,
     assumptions: Assumptions<'a>,
     zeros: Ignored,
-    linearisation: Parts,
+    linearisation: Dropped,
 }
 
 /// The uncertainty of one number.
@@ -112,6 +112,11 @@ impl<'a> Sources<'a> {
         }
     }
 
+    /// What linearisation drops from each run's readings, all orders: not more on 95 % of the machines within the limits, mm.
+    pub fn dropped(&self) -> &[f64] {
+        &self.linearisation.usual
+    }
+
     /// Of a base parameter, in the units inside.
     pub fn coefficient(&self, base: BaseId) -> Budget {
         Budget::new(self.lines(&self.fit.coefficient(base), None))
@@ -135,7 +140,7 @@ impl<'a> Sources<'a> {
             (Source::Lengths, self.lengths.std(self.fit, functional, function)),
             (Source::Tables, std(&self.tables, functional).hypot(self.ignored(&self.without_table, functional))),
             (Source::Assumptions, ignored.hypot(self.ignored(&self.zeros, functional))),
-            (Source::Linearisation, std(&self.linearisation, functional)),
+            (Source::Linearisation, std(&self.linearisation.parts, functional)),
             (Source::Confounding, function.map_or(0.0, |(seen, x)| self.limited.std(&self.confounded(seen, x)))),
         ];
         let exact = exact

@@ -59,7 +59,11 @@ pub fn sources(model: &Model, derivation: &Derivation, real: Precision) -> Resul
     let head = header("//", &model.name);
     Ok(Sources {
         header: head.clone() + &fill(include_str!("solver.h.in")),
-        source: head + &include_line(&prefix) + &fill(include_str!("solver.c.in")) + &printed.definitions,
+        source: head
+            + &include_line(&prefix)
+            + &fill(include_str!("solver.c.in"))
+            + &c::support(&printed.definitions, real)
+            + &printed.definitions,
         prefix,
     })
 }

@@ -107,7 +107,7 @@ impl<'a> Expressions<'a> {
         tokens.extend(match step {
             Step::Sin(_) => quote!(.sine_cosine().0),
             Step::Cos(_) => quote!(.sine_cosine().1),
-            Step::Floor(_) => quote!(.floor()),
+            Step::WholeTurns(_) => quote!(.whole_turns()),
             _ => quote!(.sqrt()),
         });
     }
