@@ -54,7 +54,7 @@ fn points(fit: &Value) -> Vec<[f64; 3]> {
 fn demo_writes_its_figures_and_measurements() {
     let directory = tempfile::tempdir().unwrap();
     let out = succeeds(directory.path(), &["demo", "--out", "figures"]);
-    for said in ["k1 ", "Not seen", "largest error", "95 % band", "2.643", "two-step", "joint", "µm (tilting)"] {
+    for said in ["k1 ", "Not seen", "largest error", "95 % band", "2.643", "two-step", "joint", "µm of tilting"] {
         assert!(out.contains(said), "{said}");
     }
     let read = |file: &str| fs::read_to_string(directory.path().join("figures").join(file)).unwrap();

@@ -2,6 +2,9 @@
 
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
+/// The probability of every interval that is reported.
+pub const COVERAGE: f64 = 0.95;
+
 /// One contribution to a combined standard uncertainty: `|c|·u(x)` of the GUM.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contribution {

@@ -3,7 +3,7 @@
 //! The readings of a machine less what they would be if the errors were small: its readings with every error a ten-thousandth,
 //! ten thousand times. What remains is all orders from the second on.
 
-use super::COVERAGE;
+use super::gum::COVERAGE;
 use super::parts::Parts;
 use crate::study::draw::draw;
 use crate::study::fit::{Fit, Observation};

@@ -15,7 +15,7 @@ mod parts;
 mod source;
 
 pub(super) use effects::without_table;
-pub use gum::{Combined, Contribution, combine};
+pub use gum::{COVERAGE, Combined, Contribution, combine};
 pub use instrument::Instrument;
 pub(super) use parts::any_shape;
 pub use source::{Line, Source};
@@ -33,9 +33,6 @@ use nalgebra::DVector;
 use parts::{Ignored, Parts, std};
 use trunnion_codegen::identify::Origin;
 use trunnion_codegen::ids::BaseId;
-
-/// The probability of every interval that is reported.
-pub const COVERAGE: f64 = 0.95;
 
 /// What an estimate's uncertainty is made of; each result's budget follows from it.
 pub struct Sources<'a> {
