@@ -35,11 +35,13 @@
 //! | `#[machine(…)]` | the struct | `constants`, `estimate`, `order`, `title`, `notation`, `names` of the model |
 //! | `#[run(NAME, …)]` | the struct, one a run | `sweep`, `at`, `workpiece_ball`, `tool_ball`, and `bar` or `displacement` |
 //! | `#[function(ERROR = …)]` | the struct | what is assumed of motion errors: `polynomial`, `fourier`, `known`, `zero` |
+//! | `#[assume(EXC_cos1 = "0")]` | the struct | what is taken as exact between parameters, or functions at a point |
 //! | `#[workpiece(…)]`, `#[tool(…)]` | a field | an axis on that side: `rotary` or `linear`, `location`, `name` |
 //!
 //! Each means what the key of the same name means in a
 //! [model file](https://github.com/trunnion-metrology/trunnion/blob/main/docs/model-file.md). What cannot be derived is a compiler error
-//! at the text that is to blame, in the words a model file's mistake has.
+//! at the text that is to blame, in the words a model file's mistake has. What a model file says of limits, the instrument and
+//! the axes' ranges is for studies and reports; a generated model has no use for it.
 
 mod machine;
 mod parse;
@@ -106,7 +108,7 @@ use trunnion_codegen::problems;
 /// - for every estimated function its basis (`Table::exc(r, c)`).
 ///
 /// All of it is generic over the float and needs neither `std` nor a heap.
-#[proc_macro_derive(Machine, attributes(machine, run, function, workpiece, tool))]
+#[proc_macro_derive(Machine, attributes(machine, run, function, assume, workpiece, tool))]
 pub fn machine(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
     expand(&input).unwrap_or_else(syn::Error::into_compile_error).into()

@@ -53,6 +53,11 @@ impl Reader {
                         draft.functions.extend(self.function(&item));
                     }
                 }
+                Some("assume") => {
+                    for item in self.items(attribute) {
+                        draft.assume.extend(self.value(&item).map(|is| (self.text(&item), is)));
+                    }
+                }
                 _ => {}
             }
         }
