@@ -62,7 +62,7 @@ impl DemoArguments {
         );
         let estimators = [Estimator::TwoStep, Estimator::Joint];
         out += &monte_carlo::text(TRIALS, &monte_carlo::watched(&setup, simulation.draws(TRIALS), &estimators)?);
-        write_simulation(&setup, &simulation, &simulated, RADIUS, &self.out)?;
+        write_simulation(&setup, &simulation, &simulated, &self.out)?;
         figures(&setup, observations, &reports, &self.out)?;
         let _ = write!(
             out,

@@ -56,7 +56,7 @@ impl DeriveArguments {
         let derivation = derivation(&description).map_err(SetupError::Description)?;
         let predicted = match (self.radius, self.emit) {
             (Some(mm), Emit::Text) => {
-                let setup = setup(description.clone(), Radius::new(mm)?, &self.lengths)?;
+                let setup = setup(description.clone(), Some(Radius::new(mm)?), &self.lengths)?;
                 prediction(&setup, self.range_deg, &self.measuring)?
             }
             _ => String::new(),

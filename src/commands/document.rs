@@ -6,7 +6,7 @@ use trunnion_codegen::emit::equations::Remaining;
 use trunnion_codegen::identify::Extent;
 
 /// One object: model, estimator, runs, coefficients, functions, condition, warnings.
-pub fn report(report: &Report, radius_mm: f64) -> Value {
+pub fn report(report: &Report, radius_mm: Option<f64>) -> Value {
     let dropped = report.neglected.iter().zip(&report.neglected_usual);
     let runs = report.runs.iter().zip(dropped).map(|((name, samples, rms), (neglected, usual))| {
         let run = json!({ "samples": samples, "rms_um": rms, "neglected_um": neglected, "neglected_usual_um": usual });

@@ -60,7 +60,7 @@ impl From<Combine> for Estimator {
 impl FitArguments {
     /// Reads, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let (setup, radius) = self.model.setup()?;
+        let setup = self.model.setup()?;
         let files = RunFiles::new(&setup, &self.files()?)?;
         let weights = self.weights()?;
         let (limits, instrument) = (self.limits.limits(&setup)?, self.instrument.instrument(&setup.model)?);
@@ -74,7 +74,7 @@ impl FitArguments {
             eprintln!("warning: {warning}");
         }
         print(&match self.json {
-            true => format!("{:#}\n", document::report(&report, radius.mm())),
+            true => format!("{:#}\n", document::report(&report, setup.radius())),
             false => report.to_string(),
         })
     }

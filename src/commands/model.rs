@@ -42,42 +42,39 @@ pub fn load(name: &str) -> Result<Model, Refused> {
 pub struct ModelArguments {
     /// A name from the catalogue, or a model file.
     pub model: String,
-    /// Nominal length of the ball-bar, mm.
+    /// Nominal length of the ball-bar, mm; without it the model file's usual one.
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = millimetres)]
-    pub radius: f64,
-    /// Another length of the set-up, mm.
+    pub radius: Option<f64>,
+    /// Another length of the set-up, mm, where it is not the model file's usual one.
     #[arg(long = "set", value_name = "NAME=MM")]
     pub lengths: Vec<String>,
 }
 
 impl ModelArguments {
     /// The model with its lengths.
-    pub fn setup(&self) -> Result<(Setup, Radius), Refused> {
+    pub fn setup(&self) -> Result<Setup, Refused> {
         self.setup_with(|_| Ok(()))
     }
 
     /// The model with its lengths, after a change.
-    pub fn setup_with(
-        &self,
-        change: impl FnOnce(&mut Model) -> Result<(), Refused>,
-    ) -> Result<(Setup, Radius), Refused> {
-        let radius = Radius::new(self.radius)?;
+    pub fn setup_with(&self, change: impl FnOnce(&mut Model) -> Result<(), Refused>) -> Result<Setup, Refused> {
+        let radius = self.radius.map(Radius::new).transpose()?;
         let mut model = load(&self.model)?;
         change(&mut model)?;
-        Ok((setup(model, radius, &self.lengths)?, radius))
+        setup(model, radius, &self.lengths)
     }
 }
 
 /// A model with the length of its bar and those of `--set`.
-pub fn setup(model: Model, radius: Radius, given: &[String]) -> Result<Setup, Refused> {
+pub fn setup(model: Model, radius: Option<Radius>, given: &[String]) -> Result<Setup, Refused> {
     let values = lengths(&model, radius, given)?;
     let values: Vec<(&str, f64)> = values.iter().map(|(name, mm)| (name.as_str(), *mm)).collect();
     Ok(Setup::new(model, &values)?)
 }
 
-/// Every length of the set-up: the bar's, and those of `--set`.
-fn lengths(model: &Model, radius: Radius, given: &[String]) -> Result<Vec<(String, f64)>, Refused> {
-    let bars = bars(model).into_iter().map(|bar| (bar, radius.mm()));
+/// Every length that is given: the bar's, and those of `--set`.
+pub fn lengths(model: &Model, radius: Option<Radius>, given: &[String]) -> Result<Vec<(String, f64)>, Refused> {
+    let bars = radius.into_iter().flat_map(|radius| bars(model).into_iter().map(move |bar| (bar, radius.mm())));
     Ok(others(model, given)?.into_iter().chain(bars).collect())
 }
 

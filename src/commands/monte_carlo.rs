@@ -39,7 +39,7 @@ pub struct MonteCarloArguments {
 impl MonteCarloArguments {
     /// Draws, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let (setup, _, simulation) = self.simulation.simulation(&self.model)?;
+        let (setup, simulation) = self.simulation.simulation(&self.model)?;
         let draws = simulation.draws(self.trials);
         let asked = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
         let mut estimators = Vec::new();

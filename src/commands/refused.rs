@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::data::{ObservationsError, RadiusError, WriteError};
 use trunnion::plot::PlotError;
+use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
 use trunnion_codegen::graph::Unbound;
 
@@ -56,6 +57,12 @@ pub enum Refused {
     RangeOf(String, String),
     #[error("--instrument {0}: not known\n  expected {1}, or its values by --instrument-um and --instrument-share")]
     Instrument(String, String),
+    #[error(
+        "--within {0}: not one number, nor one for each of the {1} functions\n  expected for example --for EAA,ECC --within 5,2"
+    )]
+    Within(String, usize),
+    #[error("{}", design(.0))]
+    Design(#[from] DesignError),
     #[error("--{0} {1}: cannot be simulated\n  {2}")]
     Option(&'static str, String, &'static str),
 }
@@ -78,6 +85,14 @@ impl Refused {
 fn observations(error: &ObservationsError) -> String {
     match error {
         ObservationsError::RunMissing(run) => format!("run `{run}` is not given\n  expected --run {run}=FILE.csv"),
+        other => other.to_string(),
+    }
+}
+
+fn design(error: &DesignError) -> String {
+    match error {
+        DesignError::Setup(error) => setup(error),
+        DesignError::Estimate(error) => estimate(error),
         other => other.to_string(),
     }
 }

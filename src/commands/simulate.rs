@@ -22,7 +22,7 @@ pub struct SimulateArguments {
 impl SimulateArguments {
     /// Draws, measures, writes.
     pub fn run(self) -> Result<(), Refused> {
-        let (setup, radius, simulation) = self.simulation.simulation(&self.model)?;
-        Ok(write_simulation(&setup, &simulation, &simulation.measure(&setup), radius.mm(), &self.out)?)
+        let (setup, simulation) = self.simulation.simulation(&self.model)?;
+        Ok(write_simulation(&setup, &simulation, &simulation.measure(&setup), &self.out)?)
     }
 }

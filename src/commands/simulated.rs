@@ -4,7 +4,6 @@ use super::Refused;
 use super::model::ModelArguments;
 use super::stated::{LimitArguments, RangeArguments, not_negative};
 use clap::Args;
-use trunnion::data::Radius;
 use trunnion::study::{Setup, Simulation};
 
 /// What is simulated.
@@ -37,7 +36,7 @@ const MOST_SAMPLES: usize = 10_000_000;
 
 impl SimulationArguments {
     /// The model with the ranges of its axes, and what is asked for, where it can be simulated.
-    pub fn simulation(&self, model: &ModelArguments) -> Result<(Setup, Radius, Simulation), Refused> {
+    pub fn simulation(&self, model: &ModelArguments) -> Result<(Setup, Simulation), Refused> {
         not_negative("noise-um", self.noise_um)?;
         let (from, to) = (self.from_deg.unwrap_or(0.0), self.to_deg.unwrap_or(360.0));
         for (option, value) in [("from-deg", from), ("to-deg", to)] {
@@ -51,13 +50,13 @@ impl SimulationArguments {
         if !(1..=MOST_SAMPLES).contains(&self.samples) {
             return Err(Refused::Option("samples", self.samples.to_string(), "expected a number from 1 to 10000000"));
         }
-        let (setup, radius) = model.setup_with(|model| self.ranges.apply(model))?;
+        let setup = model.setup_with(|model| self.ranges.apply(model))?;
         let (limits, range_deg) = (self.limits.limits(&setup)?, (from, to));
         let &Self { seed, samples, noise_um, .. } = self;
         let simulation = Simulation { seed, samples, noise_um, limits, range_deg };
         if self.from_deg.is_some() || self.to_deg.is_some() {
             setup.model.runs.keys().try_for_each(|run| setup.reaches(run, simulation.range()))?;
         }
-        Ok((setup, radius, simulation))
+        Ok((setup, simulation))
     }
 }

@@ -4,7 +4,7 @@ use super::Refused;
 use super::pair::pair;
 use clap::Args;
 use trunnion::study::{ErrorLimits, Instrument, Setup};
-use trunnion_codegen::model::{AxisKind, Model, StatedInstrument};
+use trunnion_codegen::model::{AxisKind, Draft, Model, StatedInstrument};
 use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// Limits of errors.
@@ -21,12 +21,17 @@ pub struct LimitArguments {
 impl LimitArguments {
     /// The limits of errors that have no own in the model.
     pub fn limits(&self, setup: &Setup) -> Result<ErrorLimits, Refused> {
+        self.of(&setup.model)
+    }
+
+    /// The same for a model that has no lengths yet.
+    pub fn of(&self, model: &Model) -> Result<ErrorLimits, Refused> {
         let given = |option, value: Option<f64>, unit: Unit| {
             value.map(|value| not_negative(option, value).map(|()| unit.to_inner(value))).transpose()
         };
         let (length, angle) =
             (given("length-um", self.length_um, Unit::Um)?, given("angle-urad", self.angle_urad, Unit::Urad)?);
-        let stated = &setup.model.limits;
+        let stated = &model.limits;
         Ok(ErrorLimits {
             length: length.or(stated.length).unwrap_or(ErrorLimits::PAPER.length),
             angle: angle.or(stated.angle).unwrap_or(ErrorLimits::PAPER.angle),
@@ -43,6 +48,15 @@ pub struct RangeArguments {
 }
 
 impl RangeArguments {
+    /// Writes a model's ranges into its draft.
+    pub fn write(&self, model: &Model, draft: &mut Draft) {
+        for axis in model.axes() {
+            let quantity = if axis.kind == AxisKind::Rotary { Quantity::Angle } else { Quantity::Length };
+            let own = draft.axes.iter_mut().filter(|own| own.name.value == axis.name);
+            own.for_each(|own| own.range = axis.range.map(|range| range.map(|x| quantity.coordinate().from_inner(x))));
+        }
+    }
+
     /// Gives the axes their ranges.
     pub fn apply(&self, model: &mut Model) -> Result<(), Refused> {
         let mut given: Vec<&str> = Vec::new();

@@ -22,7 +22,6 @@ pub fn write_simulation(
     setup: &Setup,
     simulation: &Simulation,
     simulated: &Simulated,
-    radius_mm: f64,
     out: &Path,
 ) -> Result<(), WriteError> {
     fs::create_dir_all(out).map_err(|e| {
@@ -42,7 +41,7 @@ pub fn write_simulation(
         sweep.write(setup.model.alphabet.sweep_name(run.sweep), Unit::Deg, Unit::Um)?;
     }
     write_table(setup, simulated, &out.join("table.csv"))?;
-    truth(setup, simulation, simulated, radius_mm).write(&out.join("truth.json"))
+    truth(setup, simulation, simulated).write(&out.join("truth.json"))
 }
 
 /// The known functions of all runs, at every value of the sweeps of those that see one.
@@ -61,7 +60,7 @@ fn write_table(setup: &Setup, simulated: &Simulated, file: &Path) -> Result<(), 
     Table::write(file, angle, &known, sweeps.into_iter().map(line))
 }
 
-fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated, radius_mm: f64) -> Truth {
+fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated) -> Truth {
     let swept = || simulated.observations.iter().map(|o| (o.run, simulation.visited(setup, o.run)));
     let function = |f: FunctionId| {
         let error = setup.model.functions[f].error;
@@ -76,7 +75,7 @@ fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated, radius_m
     let names = setup.derivation.base.iter().map(|b| b.name.clone());
     Truth {
         seed: simulation.seed,
-        radius_mm,
+        radius_mm: setup.radius(),
         samples: simulation.samples,
         noise_um: simulation.noise_um,
         range_deg: simulation.range_deg,

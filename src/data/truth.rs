@@ -13,8 +13,8 @@ use trunnion_codegen::quantity::Unit;
 pub struct Truth {
     /// The seed it was drawn with.
     pub seed: u64,
-    /// Nominal radius, mm.
-    pub radius_mm: f64,
+    /// Nominal length of the bar, mm; none where displacements are read.
+    pub radius_mm: Option<f64>,
     /// Samples of each run.
     pub samples: usize,
     /// Half width of the uniform noise on the readings, µm.
@@ -69,7 +69,7 @@ impl Truth {
 
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let points = self.functions.iter().flat_map(|function| &function.points).flat_map(|(a, v)| [*a, *v]);
-        let single = [self.radius_mm, self.noise_um, self.range_deg.0, self.range_deg.1];
+        let single = [self.radius_mm.unwrap_or(0.0), self.noise_um, self.range_deg.0, self.range_deg.1];
         single.into_iter().chain(points).chain(self.constants.iter().map(|(_, value)| *value))
     }
 }

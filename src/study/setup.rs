@@ -82,7 +82,7 @@ impl core::error::Error for SetupError {}
 
 impl SetupError {
     /// A failed derivation of a model.
-    pub(super) fn derivation(model: &Model, error: &DeriveError) -> Self {
+    pub(crate) fn derivation(model: &Model, error: &DeriveError) -> Self {
         Self::Description(of_derivation(model, error))
     }
 }
@@ -94,7 +94,7 @@ impl From<Unbound> for SetupError {
 }
 
 impl Setup {
-    /// Derives `model` and gives its constants their values, mm.
+    /// Derives `model` and gives its constants their values, mm; those of which none is given take the model's usual one.
     ///
     /// # Errors
     /// [`SetupError`]
@@ -104,10 +104,15 @@ impl Setup {
             let constants = model.alphabet.constants().map(str::to_owned).collect();
             return Err(SetupError::NotAConstant { name: (*name).to_owned(), constants });
         }
-        let value = |name: &str| match values.iter().find(|(n, _)| *n == name) {
+        let usual = |name: &str| {
+            let id = model.alphabet.find_constant(name);
+            model.lengths.iter().find(|(of, _)| Some(*of) == id).map(|(_, mm)| *mm)
+        };
+        let given = |name: &str| values.iter().find(|(n, _)| *n == name).map(|(_, mm)| *mm);
+        let value = |name: &str| match given(name).or_else(|| usual(name)) {
             None => Err(SetupError::NoValue(name.to_owned())),
-            Some((_, v)) if v.is_finite() && *v > 0.0 => Ok(*v),
-            Some((_, v)) => Err(SetupError::NotALength(name.to_owned(), *v)),
+            Some(v) if v.is_finite() && v > 0.0 => Ok(v),
+            Some(v) => Err(SetupError::NotALength(name.to_owned(), v)),
         };
         let constants = model.alphabet.constants().map(value).collect::<Result<Vec<_>, _>>()?;
         let tape = |run| Ok(Tape::new(emit::model::run(&model, &derivation, run)?.program()));
@@ -145,6 +150,11 @@ impl Setup {
     /// Nominal length of the bar that a run reads, mm; none of a run that reads displacements.
     pub fn bar(&self, run: RunId) -> Option<f64> {
         bar(&self.model, &self.model.runs[run].reading).map(|name| self.constant(&name))
+    }
+
+    /// Nominal length of the first bar that a run reads, mm; none where all read displacements.
+    pub fn radius(&self) -> Option<f64> {
+        self.model.runs.keys().find_map(|run| self.bar(run))
     }
 
     /// Evaluates a run's row.

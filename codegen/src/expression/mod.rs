@@ -5,7 +5,9 @@
 mod evaluate;
 mod parse;
 mod syntax;
+mod write;
 
 pub use evaluate::{EvaluationError, Meaning, Scope};
 pub use parse::{parse, parse_equation};
 pub use syntax::{Expected, Expr, ExprKind, Operator, SyntaxError};
+pub(crate) use write::write;

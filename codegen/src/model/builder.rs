@@ -44,6 +44,12 @@ impl Draft {
         self
     }
 
+    /// The usual value of a length of the set-up, mm: `R_mm`.
+    pub fn length(mut self, name: impl Into<Text>, mm: f64) -> Self {
+        self.lengths.push(Number { name: name.into(), value: mm });
+        self
+    }
+
     /// The next axis that carries the workpiece, from the base outwards.
     pub fn on_workpiece(mut self, axis: DraftAxis) -> Self {
         self.workpiece.push(axis.name.clone());

@@ -23,6 +23,8 @@ pub struct Model {
     pub notation: Notation,
     /// All symbols.
     pub alphabet: Alphabet,
+    /// Usual values of constants, mm.
+    pub lengths: Vec<(NominalId, f64)>,
     /// Axes between the machine's base and the workpiece, from the base outwards.
     pub workpiece: Vec<Axis>,
     /// Axes between the machine's base and the tool, from the base outwards.

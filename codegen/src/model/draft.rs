@@ -16,6 +16,8 @@ pub struct Draft {
     pub notation: Option<Text>,
     /// Lengths of the set-up.
     pub constants: Vec<Text>,
+    /// Usual values of some of them, with the unit in the name: `R_mm`.
+    pub lengths: Vec<Number>,
     /// Axes that carry the workpiece, from the base outwards.
     pub workpiece: Vec<Text>,
     /// Axes that carry the tool, from the base outwards.

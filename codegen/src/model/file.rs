@@ -45,6 +45,7 @@ const TOP: &[&str] = &[
     "title",
     "notation",
     "constants",
+    "lengths",
     "workpiece",
     "tool",
     "estimate",
@@ -104,9 +105,8 @@ impl Reader {
         for (parameter, value) in self.tables(table, "assume") {
             draft.assume.extend(self.text(value).map(|is| (text_of(parameter), is)));
         }
-        for (name, value) in self.tables(table, "limits") {
-            draft.limits.extend(self.float(value).map(|value| Number { name: text_of(name), value }));
-        }
+        draft.lengths = self.numbers(table, "lengths");
+        draft.limits = self.numbers(table, "limits");
         draft.instrument = table.get("instrument").and_then(|value| self.table(value)).map(|t| self.instrument(t));
         for (error, value) in self.tables(table, "function") {
             let basis = self.basis(value);
@@ -148,6 +148,14 @@ impl Reader {
             &[low, high] if low < high => Some([low, high]),
             _ => self.problem(value.span(), ProblemKind::NotARange),
         }
+    }
+
+    fn numbers(&mut self, table: &DeTable, key: &str) -> Vec<Number> {
+        let entries = self.tables(table, key);
+        entries
+            .into_iter()
+            .filter_map(|(name, value)| Some(Number { name: text_of(name), value: self.float(value)? }))
+            .collect()
     }
 
     fn float(&mut self, value: &Spanned<DeValue>) -> Option<f64> {

@@ -4,6 +4,7 @@
 //! is exact.
 
 mod builder;
+mod candidates;
 mod conditions;
 mod description;
 mod draft;
@@ -13,7 +14,9 @@ mod problem;
 mod reference;
 mod resolve;
 mod unknown;
+mod written;
 
+pub use candidates::candidates;
 pub use description::{Axis, AxisKind, Ball, ErrorFunction, Model, ReadingKind, Reference, Run};
 pub use draft::{
     Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,

@@ -73,6 +73,8 @@ pub enum ProblemKind {
     NoBasis(NoBasis),
     /// A range that is none.
     NotARange,
+    /// No usual value of a constant.
+    NotALength(String),
     /// A name that no limit can have.
     NotALimit(String),
     /// A size that is negative or not finite.
@@ -124,6 +126,7 @@ impl fmt::Display for ProblemKind {
             Self::NoBasis(why) => fmt::Display::fmt(why, f),
             Self::NotARange => write!(f, "not a range"),
             Self::NotALimit(name) => write!(f, "`{name}` is not the limit of an error or a length of this machine"),
+            Self::NotALength(name) => write!(f, "`{name}` is not the usual length of a constant"),
             Self::NotASize => write!(f, "not a size"),
             Self::NotAnAssumption => write!(f, "not a linear homogeneous condition on parameters"),
             Self::NothingToAssume(name) => write!(f, "`{name}` is nothing that could be assumed here"),
@@ -248,6 +251,7 @@ impl ProblemKind {
             Self::NotALimit(_) => {
                 "`length_um`, `angle_urad`, an error's name and unit (`EXC_um`, `EAA_urad`), or a constant's (`L_mm`)".into()
             }
+            Self::NotALength(_) => "a name from `constants` with its unit, and a positive number: `R_mm = 150`".into(),
             Self::NotASize => "a finite number, 0 or above".into(),
             Self::NotAnAssumption => "for example \"0\", \"EYC_sin1\", \"2*L*ECC_cos2\", \"0 at c = 0\"".into(),
             Self::NothingToAssume(_) => {

@@ -1,15 +1,17 @@
 //! `trunnion plan`: what intended runs would tell, before anything is measured.
 
+mod designed;
 mod found;
 mod json;
 mod text;
 
+use self::designed::Wanted;
 use self::found::Found;
 use super::Refused;
 use super::model::{load, others, source};
 use super::output::print;
 use super::predicted::{self, Measuring};
-use super::stated::RangeArguments;
+use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
 use trunnion::data::Radius;
 use trunnion::study::SetupError;
@@ -37,6 +39,16 @@ pub struct PlanArguments {
     /// A run to leave out, several joined by commas to leave them out together; each run in turn if none is given.
     #[arg(long, value_name = "RUN")]
     without: Vec<String>,
+    /// Instead, search runs for these estimated functions, joined by commas: the fewest placings of the balls, then the fewest
+    /// runs, among the model's own and those that its machine allows.
+    #[arg(long = "for", value_name = "FUNCTION", value_delimiter = ',', conflicts_with_all = ["range_deg", "without"])]
+    functions: Vec<String>,
+    /// With --for: how large the expanded uncertainty of 95 % from noise may be, µrad or µm, one for all or one for each; a tenth
+    /// more than the least without it.
+    #[arg(long, value_name = "U", value_delimiter = ',', requires = "functions", value_parser = positive)]
+    within: Vec<f64>,
+    #[command(flatten)]
+    limits: LimitArguments,
     #[command(flatten)]
     ranges: RangeArguments,
     #[command(flatten)]
@@ -55,11 +67,15 @@ impl PlanArguments {
         let mut model = load(&self.model)?;
         self.ranges.apply(&mut model)?;
         let (_, text_of_model) = source(&self.model)?;
+        // The model has just been read, so its draft can be.
+        let mut draft = read_draft(&text_of_model).unwrap_or_default();
+        if !self.functions.is_empty() {
+            self.ranges.write(&model, &mut draft);
+            return self.wanted(&model)?.run(&draft, &model);
+        }
         let derivation = derivation(&model).map_err(SetupError::Description)?;
         let comparison = self.comparison(&model)?;
         let compared = compare(&model, &comparison)?;
-        // The model has just been read, so its draft can be.
-        let draft = read_draft(&text_of_model).unwrap_or_default();
         let (tried, added) = additions(&draft, &model, &derivation, catalogue::MODELS);
         let described: Vec<String> =
             derivation.groups().iter().map(|g| equations::group(&model, &derivation, g)).collect();
@@ -77,6 +93,19 @@ impl PlanArguments {
         print(&match self.json {
             true => format!("{:#}\n", json::json(&found)),
             false => text::text(&found),
+        })
+    }
+
+    /// What runs are searched for.
+    fn wanted(&self, model: &Model) -> Result<Wanted<'_>, Refused> {
+        Ok(Wanted {
+            functions: &self.functions,
+            within: &self.within,
+            radius: self.radius.first().map(|&mm| Radius::new(mm)).transpose()?,
+            lengths: &self.lengths,
+            limits: self.limits.of(model)?,
+            measuring: &self.measuring,
+            json: self.json,
         })
     }
 
@@ -114,4 +143,9 @@ impl PlanArguments {
         }
         Ok(without)
     }
+}
+
+fn positive(text: &str) -> Result<f64, &'static str> {
+    let number = text.trim().parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0);
+    number.ok_or("not a positive number\n  expected an uncertainty in µrad or µm, e.g. 2")
 }

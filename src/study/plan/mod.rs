@@ -3,6 +3,7 @@
 
 mod added;
 mod comparison;
+pub mod design;
 mod prediction;
 mod subset;
 

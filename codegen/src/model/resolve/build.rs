@@ -75,6 +75,7 @@ impl Resolver {
         let functions = self.functions(draft, &known);
         self.turns(&axes, &runs, &functions);
         let assumptions = self.assumptions(draft, &known, &functions);
+        let lengths = self.lengths(draft);
         let limits = self.limits(draft);
         let instrument = self.instrument(draft);
         let model = Model {
@@ -82,6 +83,7 @@ impl Resolver {
             title: draft.title.value.clone(),
             notation,
             alphabet: self.alphabet.clone(),
+            lengths,
             workpiece,
             tool,
             runs,

@@ -1,11 +1,28 @@
-//! Limits and the instrument.
+//! Usual lengths, limits and the instrument.
 
 use super::resolver::Resolver;
-use crate::algebra::Quantity;
+use crate::algebra::{NominalId, Quantity};
 use crate::model::{Draft, Limits, Number, ProblemKind, StatedInstrument};
 use crate::quantity::Unit;
 
 impl Resolver {
+    pub fn lengths(&mut self, draft: &Draft) -> Vec<(NominalId, f64)> {
+        let mut lengths: Vec<(NominalId, f64)> = Vec::new();
+        for Number { name, value } in &draft.lengths {
+            let constant = name.value.strip_suffix("_mm").and_then(|of| self.alphabet.find_constant(of));
+            match constant.filter(|_| value.is_finite() && *value > 0.0) {
+                None => {
+                    self.problem::<()>(&name.span, ProblemKind::NotALength(name.value.clone()));
+                }
+                Some(id) if lengths.iter().any(|(other, _)| *other == id) => {
+                    self.problem::<()>(&name.span, ProblemKind::Taken(name.value.clone()));
+                }
+                Some(id) => lengths.push((id, *value)),
+            }
+        }
+        lengths
+    }
+
     pub fn limits(&mut self, draft: &Draft) -> Limits {
         let (mut limits, mut given) = (Limits::default(), Vec::new());
         for Number { name, value } in &draft.limits {

@@ -1,0 +1,86 @@
+//! A run as it stands in a model file.
+
+use core::fmt::{Display, Formatter, Result};
+
+use super::draft::{DraftBall, DraftReading, DraftRun};
+use crate::source::Text;
+
+/// The run's table, which reads back as the same run.
+impl Display for DraftRun {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        writeln!(f, "[run.{}]", key(&self.name.value))?;
+        writeln!(f, "sweep = {}", string(&self.sweep.value))?;
+        let at: Vec<String> =
+            self.at.iter().map(|(axis, at)| format!("{} = {}", key(&axis.value), string(&at.value))).collect();
+        writeln!(f, "at = {{ {} }}", at.join(", "))?;
+        ball(f, "workpiece_ball", &self.workpiece_ball)?;
+        ball(f, "tool_ball", &self.tool_ball)?;
+        match &self.reading {
+            DraftReading::Bar(bar) => writeln!(f, "reading = {}", string(&bar.value)),
+            DraftReading::Displacement(along) => match along.as_slice() {
+                [one] => writeln!(f, "reading = {{ displacement = {} }}", string(&one.value)),
+                all => writeln!(f, "reading = {{ displacement = {} }}", list(all)),
+            },
+        }
+    }
+}
+
+fn ball(f: &mut Formatter<'_>, name: &str, ball: &DraftBall) -> Result {
+    let at = Some(&ball.at).filter(|at| !at.is_empty()).map(|at| format!("at = {}", list(at)));
+    let setup = Some(&ball.setup).filter(|setup| !setup.is_empty()).map(|setup| format!("setup = {}", list(setup)));
+    match at.into_iter().chain(setup).collect::<Vec<_>>().as_slice() {
+        [] => Ok(()),
+        parts => writeln!(f, "{name} = {{ {} }}", parts.join(", ")),
+    }
+}
+
+fn list(texts: &[Text]) -> String {
+    format!("[{}]", texts.iter().map(|t| string(&t.value)).collect::<Vec<_>>().join(", "))
+}
+
+fn string(text: &str) -> String {
+    // No name and no expression has control characters.
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+fn key(name: &str) -> String {
+    let bare = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
+    if bare { name.to_owned() } else { string(name) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{candidates, read_draft};
+    use crate::catalogue;
+    use crate::ids::AxisId;
+
+    #[test]
+    fn what_is_written_reads_back() {
+        let mut written = 0;
+        for (name, source) in catalogue::MODELS {
+            let draft = read_draft(source).unwrap();
+            let model = draft.build().unwrap();
+            let axes: Vec<AxisId> = (0..model.axes().count()).map(AxisId::from).collect();
+            for run in draft.runs.iter().chain(&candidates(&model, &axes).unwrap()) {
+                let text = run.to_string();
+                let again = read_draft(&format!("name = \"m\"\n\n{text}")).unwrap().runs.remove(0);
+                assert_eq!(again.to_string(), text, "{name}");
+                let values = |run: &super::DraftRun| {
+                    let at: Vec<_> = run.at.iter().map(|(a, at)| (a.value.clone(), at.value.clone())).collect();
+                    let balls = [&run.workpiece_ball, &run.tool_ball];
+                    let ball = |b: &super::DraftBall| {
+                        [&b.at, &b.setup].map(|l| l.iter().map(|t| t.value.clone()).collect::<Vec<_>>())
+                    };
+                    (run.name.value.clone(), run.sweep.value.clone(), at, balls.map(ball))
+                };
+                let sorted = |mut all: (String, String, Vec<(String, String)>, [[Vec<String>; 2]; 2])| {
+                    all.2.sort();
+                    all
+                };
+                assert_eq!(sorted(values(&again)), sorted(values(run)), "{name}: {text}");
+                written += 1;
+            }
+        }
+        assert!(written > 200);
+    }
+}

@@ -1,0 +1,164 @@
+//! `trunnion plan --for`: runs for a function, ready for the model file.
+
+use crate::commands::Refused;
+use crate::commands::model::lengths;
+use crate::commands::output::print;
+use crate::commands::predicted::{Measuring, function};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+use std::fmt::Write;
+use std::time::Duration;
+use trunnion::data::Radius;
+use trunnion::study::plan::design::{Asked, Design, Measured, Proposal, design};
+use trunnion::study::{ErrorLimits, Setup};
+use trunnion_codegen::model::{Draft, Model};
+use trunnion_codegen::quantity::{Quantity, Unit};
+
+/// What is asked on the command line.
+pub struct Wanted<'a> {
+    /// The functions.
+    pub functions: &'a [String],
+    /// What their expanded uncertainties may be, µrad or µm: one for all, or one for each.
+    pub within: &'a [f64],
+    /// The bar.
+    pub radius: Option<Radius>,
+    /// Other lengths.
+    pub lengths: &'a [String],
+    /// Limits of the errors.
+    pub limits: ErrorLimits,
+    /// Samples and noise.
+    pub measuring: &'a Measuring,
+    /// One object instead of text.
+    pub json: bool,
+}
+
+impl Wanted<'_> {
+    /// Searches, with a progress bar, and prints.
+    pub fn run(&self, draft: &Draft, model: &Model) -> Result<(), Refused> {
+        let unit = |name: &str| {
+            let error = model.alphabet.find_error(name);
+            error.map_or(Quantity::Angle, |e| model.alphabet.error_quantity(e)).deviation()
+        };
+        if !matches!(self.within.len(), 0 | 1) && self.within.len() != self.functions.len() {
+            let given = self.within.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
+            return Err(Refused::Within(given, self.functions.len()));
+        }
+        let within = |(i, name): (usize, &String)| {
+            let own = self.within.get(i).or(self.within.first());
+            (name.clone(), own.map(|within| unit(name).to_inner(*within)))
+        };
+        let measured = Measured {
+            lengths: lengths(model, self.radius, self.lengths)?,
+            samples: self.measuring.samples as usize,
+            range: (0.0, TAU),
+            sigma: self.measuring.sigma()?,
+            limits: self.limits,
+        };
+        let asked = Asked { functions: self.functions.iter().enumerate().map(within).collect(), measured };
+        let bar = ProgressBar::new_spinner();
+        if let Ok(style) = ProgressStyle::with_template("{spinner} trying {pos} placings of the balls, {elapsed}") {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(100));
+        let found = design(draft, model, &asked, &|placings| bar.set_position(placings as u64));
+        bar.finish_and_clear();
+        let found = found?;
+        let units: Vec<Unit> = self.functions.iter().map(|name| unit(name)).collect();
+        print(&if self.json {
+            format!("{:#}\n", object(model, &found, &units))
+        } else {
+            self.text(model, &found, &units)
+        })
+    }
+
+    fn text(&self, model: &Model, found: &Design, units: &[Unit]) -> String {
+        let mut out = format!("{}: runs for {}\n", model.name, self.functions.join(", "));
+        let setup = found.proposals.first().map(|p| &p.setup);
+        let _ = writeln!(
+            out,
+            "{}{} samples a run, noise ±{} µm, {} runs to choose from; ± is noise alone, expanded to 95 %",
+            setup.map_or_else(String::new, lengths_of),
+            self.measuring.samples,
+            self.measuring.noise_um,
+            found.choices.len()
+        );
+        for (reachable, unit) in found.functions.iter().zip(units) {
+            let [within, best] = [reachable.within, reachable.best].map(|x| unit.from_inner(x));
+            let _ = writeln!(
+                out,
+                "  {}: all of them together give ± {best:.3} {unit}; looked for ± {within:.3} {unit}",
+                reachable.name
+            );
+        }
+        let Some((first, others)) = found.proposals.split_first() else {
+            out += "\nno set of these runs gives that\n";
+            return out;
+        };
+        let _ = writeln!(out, "\n{}", summary(first));
+        for run in &first.draft.runs {
+            let _ = write!(out, "\n{run}");
+        }
+        for other in others {
+            let names: Vec<&str> = other.draft.runs.iter().map(|run| run.name.value.as_str()).collect();
+            let _ = writeln!(out, "\nInstead: {}\n{}", names.join(", "), summary(other));
+        }
+        if others.iter().any(|other| !other.draft.runs.iter().all(|run| own(first, &run.name.value))) {
+            out += "\nRuns of the alternatives\n";
+        }
+        let mut said: Vec<&str> = first.draft.runs.iter().map(|run| run.name.value.as_str()).collect();
+        for run in others.iter().flat_map(|other| &other.draft.runs) {
+            if !said.contains(&run.name.value.as_str()) {
+                said.push(&run.name.value);
+                let _ = write!(out, "\n{run}");
+            }
+        }
+        out
+    }
+}
+
+fn own(proposal: &Proposal, name: &str) -> bool {
+    proposal.draft.runs.iter().any(|run| run.name.value == name)
+}
+
+fn lengths_of(setup: &Setup) -> String {
+    let each = setup.model.alphabet.constants().map(|name| format!("{name} = {} mm, ", setup.constant(name)));
+    each.collect()
+}
+
+/// `3 placings of the balls, 5 runs, condition 22`, and each function.
+fn summary(proposal: &Proposal) -> String {
+    let plural = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
+    let (placings, runs) = (plural(proposal.placings, "placing"), plural(proposal.draft.runs.len(), "run"));
+    let mut out = format!("{placings} of the balls, {runs}, condition {:.0}", proposal.prediction.condition);
+    for predicted in &proposal.prediction.functions {
+        let _ = write!(out, "\n  {}", function(&proposal.setup, predicted));
+    }
+    out
+}
+
+fn object(model: &Model, found: &Design, units: &[Unit]) -> Value {
+    let reachable = found.functions.iter().zip(units).map(|(r, unit)| {
+        json!({ "name": r.name, "unit": unit.suffix(), "within": unit.from_inner(r.within), "best": unit.from_inner(r.best) })
+    });
+    let proposal = |p: &Proposal| {
+        let functions = p.prediction.functions.iter().map(|f| {
+            let unit = p.setup.quantity(f.function).deviation();
+            let largest = f.largest.map(|l| json!({ "std": unit.from_inner(l.std), "u95": unit.from_inner(l.u95) }));
+            json!({ "name": p.setup.function_name(f.function), "unit": unit.suffix(), "told": f.told.words, "largest": largest })
+        });
+        json!({
+            "placings": p.placings,
+            "condition": p.prediction.condition,
+            "functions": functions.collect::<Vec<_>>(),
+            "runs": p.draft.runs.iter().map(|run| run.name.value.as_str()).collect::<Vec<_>>(),
+            "model_file": p.draft.runs.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"),
+        })
+    };
+    json!({
+        "model": model.name,
+        "choices": found.choices.iter().map(|run| run.name.value.as_str()).collect::<Vec<_>>(),
+        "functions": reachable.collect::<Vec<_>>(),
+        "proposals": found.proposals.iter().map(proposal).collect::<Vec<_>>(),
+    })
+}

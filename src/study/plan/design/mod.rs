@@ -1,0 +1,11 @@
+//! Tests that are designed: which runs to measure for a function.
+
+mod choices;
+mod pool;
+mod proposal;
+mod search;
+
+pub use choices::{Choices, with_runs};
+pub use pool::{Measured, Pool};
+pub use proposal::{Asked, Design, DesignError, Proposal, Reachable, design};
+pub use search::{Enough, Within, fewest, share};

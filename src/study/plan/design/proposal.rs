@@ -1,0 +1,192 @@
+//! What to measure for a function: the sets found by numbers, held against the exact derivation of each.
+
+use super::choices::{Choices, with_runs};
+use super::pool::{Measured, Pool};
+use super::search::{Enough, Within, fewest};
+use crate::study::plan::{Intended, Prediction, predict};
+use crate::study::{EstimateError, Estimator, Setup, SetupError};
+use std::collections::BTreeMap;
+use thiserror::Error;
+use trunnion_codegen::identify::Extent;
+use trunnion_codegen::ids::FunctionId;
+use trunnion_codegen::model::{Draft, DraftRun, Model};
+
+/// A function's uncertainty may be this much larger than the least that can be reached, where nothing is asked.
+const NEAR: f64 = 1.1;
+/// Standard uncertainties in an expanded one.
+const COVERAGE_FACTOR: f64 = 1.96;
+/// Alternatives beside the best.
+const ALTERNATIVES: usize = 2;
+/// Sets that are found by numbers before each is derived exactly.
+const TRIED: usize = 12;
+/// Times its limit: so large is an error that nothing is known of.
+const UNKNOWN: f64 = 100.0;
+
+/// What is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// The functions by name, each with what its expanded uncertainty may be (mm or rad) where that is said.
+    pub functions: Vec<(String, Option<f64>)>,
+    /// How it would be measured.
+    pub measured: Measured,
+}
+
+/// Why nothing is proposed.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum DesignError {
+    /// Not an estimated function of the model.
+    #[error("`{name}` is no estimated function of this model\n  expected {known}")]
+    NoFunction {
+        /// The name given.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// The machine with the runs to choose from, or with those proposed, has no measurement model.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// The proposed runs give no estimate.
+    #[error(transparent)]
+    Estimate(#[from] EstimateError),
+}
+
+/// Runs proposed for what is asked.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// All runs there were to choose from.
+    pub choices: Vec<DraftRun>,
+    /// What can be reached of each function.
+    pub functions: Vec<Reachable>,
+    /// Sets that suffice, the best first.
+    pub proposals: Vec<Proposal>,
+}
+
+/// What can be reached of a function; expanded uncertainties of 95 %, mm or rad.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reachable {
+    /// Its name.
+    pub name: String,
+    /// What was looked for: what was asked, or what is near the best.
+    pub within: f64,
+    /// What all runs together give.
+    pub best: f64,
+}
+
+/// A set of runs.
+#[derive(Clone, Debug)]
+pub struct Proposal {
+    /// The machine with these runs.
+    pub draft: Draft,
+    /// The same, derived.
+    pub setup: Setup,
+    /// Placings of the balls.
+    pub placings: usize,
+    /// What it would give.
+    pub prediction: Prediction,
+}
+
+/// Proposes runs for functions of a model; `done` is told how many placings of the balls are being tried.
+///
+/// # Errors
+/// [`DesignError`]
+pub fn design(
+    draft: &Draft,
+    model: &Model,
+    asked: &Asked,
+    done: &(dyn Fn(usize) + Sync),
+) -> Result<Design, DesignError> {
+    let functions =
+        asked.functions.iter().map(|(name, _)| estimated(model, name)).collect::<Result<Vec<FunctionId>, _>>()?;
+    let choices = Choices::all(draft, model, &functions)?;
+    let wanted: Vec<Option<f64>> =
+        asked.functions.iter().map(|(_, within)| within.map(|expanded| expanded / COVERAGE_FACTOR)).collect();
+    let mut weighed = weigh(&choices, &functions, &wanted, asked, UNKNOWN)?;
+    let determined = weighed.determined;
+    if !determined {
+        // Nothing determines all that is asked: what the limits leave is part of it.
+        weighed = weigh(&choices, &functions, &wanted, asked, 1.0)?;
+    }
+    let Weighed { pool, within, best, .. } = weighed;
+    let reachable = |(i, (name, _)): (usize, &(String, Option<f64>))| Reachable {
+        name: name.clone(),
+        within: within.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
+        best: best.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
+    };
+    let (mut proposals, mut refused) = (Vec::new(), None);
+    for enough in fewest(&pool, &within, TRIED, done) {
+        let proposal = match exact(draft, &choices, &enough, asked) {
+            Ok(proposal) => proposal,
+            Err(error) => {
+                refused.get_or_insert(error);
+                continue;
+            }
+        };
+        let of = |f: &FunctionId| proposal.prediction.functions.iter().find(|p| p.function == *f);
+        let as_said = |f: &FunctionId| of(f).is_some_and(|p| p.told.extent == Extent::Determined);
+        if !determined || functions.iter().all(as_said) {
+            proposals.push(proposal);
+        }
+        if proposals.len() > ALTERNATIVES {
+            break;
+        }
+    }
+    if let Some(error) = refused.filter(|_| proposals.is_empty()) {
+        return Err(error);
+    }
+    let functions = asked.functions.iter().enumerate().map(reachable).collect();
+    Ok(Design { choices: choices.runs, functions, proposals })
+}
+
+/// A pool and what is asked of it, as standard uncertainties.
+struct Weighed {
+    pool: Pool,
+    within: Within,
+    best: BTreeMap<FunctionId, f64>,
+    /// Whether all runs together reach what is asked.
+    determined: bool,
+}
+
+fn weigh(
+    choices: &Choices,
+    functions: &[FunctionId],
+    wanted: &[Option<f64>],
+    asked: &Asked,
+    beyond: f64,
+) -> Result<Weighed, DesignError> {
+    let pool = Pool::new(choices, functions, &asked.measured, beyond)?;
+    let best = pool.uncertainties(&pool.known(0..pool.len()), functions.iter().copied()).unwrap_or_default();
+    let mut within = Within::new();
+    let mut determined = true;
+    for (&function, wanted) in functions.iter().zip(wanted) {
+        let least = best.get(&function).copied().unwrap_or(f64::INFINITY);
+        let limit = choices
+            .model
+            .functions
+            .get(function)
+            .map_or(f64::INFINITY, |f| asked.measured.limits.of(choices.model.alphabet.error_quantity(f.error)));
+        // Of what is not determined the limits are all that is known.
+        determined &= least < wanted.unwrap_or(limit / 3f64.sqrt());
+        within.insert(function, wanted.map_or(NEAR * least, |wanted| wanted.max(NEAR * least)));
+    }
+    Ok(Weighed { pool, within, best, determined })
+}
+
+fn estimated(model: &Model, name: &str) -> Result<FunctionId, DesignError> {
+    let estimated = || model.functions.iter_enumerated().filter(|(_, f)| f.estimate);
+    let called = |f: FunctionId| model.alphabet.error_name(model.functions[f].error);
+    let known = || estimated().map(|(f, _)| called(f)).collect::<Vec<_>>().join(", ");
+    let found = estimated().map(|(f, _)| f).find(|f| called(*f) == name);
+    found.ok_or_else(|| DesignError::NoFunction { name: name.to_owned(), known: known() })
+}
+
+/// A set, derived and weighed as a model of its own.
+fn exact(draft: &Draft, choices: &Choices, enough: &Enough, asked: &Asked) -> Result<Proposal, DesignError> {
+    let runs: Vec<DraftRun> = enough.runs.iter().filter_map(|&i| choices.runs.get(i).cloned()).collect();
+    let draft = with_runs(draft, &runs);
+    let lengths: Vec<(&str, f64)> = asked.measured.lengths.iter().map(|(name, mm)| (name.as_str(), *mm)).collect();
+    let setup = Setup::new(draft.build().map_err(SetupError::Description)?, &lengths)?;
+    let Measured { samples, range, sigma, .. } = asked.measured;
+    let prediction = predict(&setup, Intended { samples, range, sigma }, Estimator::Joint)?;
+    Ok(Proposal { draft, setup, placings: enough.placings, prediction })
+}

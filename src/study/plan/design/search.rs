@@ -1,0 +1,131 @@
+//! The fewest placings of the balls, then the fewest runs, that make functions as certain as is asked.
+//!
+//! More runs never know less, so a branch of which all runs together do not suffice is left out: what is found is the fewest
+//! there are, not merely few.
+
+use super::pool::Pool;
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use trunnion_codegen::ids::FunctionId;
+
+/// What each function's standard uncertainty may be at most, mm or rad.
+pub type Within = BTreeMap<FunctionId, f64>;
+
+/// A set of runs that suffices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enough {
+    /// Positions in the pool, ascending.
+    pub runs: Vec<usize>,
+    /// How many placings of the balls they need.
+    pub placings: usize,
+    /// The largest of uncertainties over what they may be: at most 1.
+    pub share: f64,
+}
+
+/// At least `wanted` sets that suffice, where there are so many, the best first: with the fewest placings, then runs, then
+/// uncertainty. `done` is told how many placings are being tried.
+pub fn fewest(pool: &Pool, within: &Within, wanted: usize, done: &(dyn Fn(usize) + Sync)) -> Vec<Enough> {
+    let placings = pool.placings();
+    let mut found: Vec<Enough> = Vec::new();
+    for count in 1..=placings {
+        done(count);
+        let together: Vec<Vec<usize>> = combinations(placings, count);
+        let inside = |chosen: &Vec<usize>| -> Vec<usize> {
+            (0..pool.len()).filter(|&i| chosen.contains(&pool.placing(i))).collect()
+        };
+        let pools: Vec<Vec<usize>> = together
+            .par_iter()
+            .map(inside)
+            .filter(|runs| share(pool, within, &pool.known(runs.iter().copied())) <= 1.0)
+            .collect();
+        let most = pools.iter().map(Vec::len).max().unwrap_or(0);
+        for size in count..=most {
+            let sets = |runs: &Vec<usize>| Search::new(pool, within, runs).of_size(size);
+            let sets: Vec<Enough> = pools.par_iter().flat_map_iter(sets).collect();
+            for set in sets {
+                // With fewer placings than these it was found before.
+                let new = found.iter().all(|other| other.runs != set.runs);
+                if new && set.placings == count {
+                    found.push(set);
+                }
+            }
+            if found.len() >= wanted {
+                break;
+            }
+        }
+        if found.len() >= wanted {
+            break;
+        }
+    }
+    found.sort_by(|a, b| (a.placings, a.runs.len()).cmp(&(b.placings, b.runs.len())).then(a.share.total_cmp(&b.share)));
+    found
+}
+
+/// The largest uncertainty over what it may be.
+pub fn share(pool: &Pool, within: &Within, known: &DMatrix<f64>) -> f64 {
+    let Some(stds) = pool.uncertainties(known, within.keys().copied()) else { return f64::INFINITY };
+    stds.iter().map(|(f, std)| std / within.get(f).copied().unwrap_or(f64::INFINITY)).fold(0.0, f64::max)
+}
+
+struct Search<'a> {
+    pool: &'a Pool,
+    within: &'a Within,
+    runs: &'a [usize],
+    /// What the runs from each on know together, without the 1 of what was known before.
+    after: Vec<DMatrix<f64>>,
+}
+
+impl<'a> Search<'a> {
+    fn new(pool: &'a Pool, within: &'a Within, runs: &'a [usize]) -> Self {
+        let none = pool.known([]);
+        let mut after = vec![&none - &none];
+        for &run in runs.iter().rev() {
+            let sum = pool.add(&after[after.len() - 1], run);
+            after.push(sum);
+        }
+        after.reverse();
+        Self { pool, within, runs, after }
+    }
+
+    fn of_size(&self, size: usize) -> Vec<Enough> {
+        let mut found = Vec::new();
+        self.extend(&mut Vec::new(), &self.pool.known([]), 0, size, &mut found);
+        found
+    }
+
+    fn extend(&self, chosen: &mut Vec<usize>, known: &DMatrix<f64>, from: usize, left: usize, found: &mut Vec<Enough>) {
+        if left == 0 {
+            let share = share(self.pool, self.within, known);
+            if share <= 1.0 {
+                let mut placings: Vec<usize> = chosen.iter().map(|&i| self.pool.placing(i)).collect();
+                placings.sort_unstable();
+                placings.dedup();
+                found.push(Enough { runs: chosen.clone(), placings: placings.len(), share });
+            }
+            return;
+        }
+        for at in from..=self.runs.len().saturating_sub(left) {
+            if at >= self.runs.len() || share(self.pool, self.within, &(known + &self.after[at])) > 1.0 {
+                return;
+            }
+            chosen.push(self.runs[at]);
+            self.extend(chosen, &self.pool.add(known, self.runs[at]), at + 1, left - 1, found);
+            chosen.pop();
+        }
+    }
+}
+
+/// All sets of `count` of the numbers below `of`, ascending.
+fn combinations(of: usize, count: usize) -> Vec<Vec<usize>> {
+    let mut sets: Vec<Vec<usize>> = vec![Vec::new()];
+    for _ in 0..count {
+        let longer = |set: &Vec<usize>| {
+            let from = set.last().map_or(0, |last| last + 1);
+            let set = set.clone();
+            (from..of).map(move |next| set.iter().copied().chain([next]).collect::<Vec<usize>>())
+        };
+        sets = sets.iter().flat_map(longer).collect();
+    }
+    sets
+}
