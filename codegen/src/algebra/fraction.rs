@@ -1,8 +1,8 @@
 //! The field of the base-parameter factorisation: quotients of polynomials in the constants.
 
-use super::gcd::{divide, gcd};
+use super::gcd::{exact, gcd};
 use super::rational;
-use super::{AlgebraError, Alphabet, Monomial, Order, Poly};
+use super::{AlgebraError, Alphabet, Monomial, Order, Poly, Rational};
 
 /// A reduced quotient of polynomials in π, √2 and the set-up's constants.
 ///
@@ -60,24 +60,9 @@ impl Fraction {
             denominator = denominator.times(&conjugate, Order::NOMINAL)?.normal(alphabet)?;
         }
         if denominator.terms().len() > 1 {
-            let shift = lowest(&denominator).recip()?;
-            denominator = denominator.times(&Poly::term(shift, rational::integer(1)), Order::NOMINAL)?;
-            numerator = numerator.times(&Poly::term(shift, rational::integer(1)), Order::NOMINAL)?;
-            let lift = lowest(&numerator);
-            let lifted = numerator.times(&Poly::term(lift.recip()?, rational::integer(1)), Order::NOMINAL)?;
-            let mut common = denominator.clone();
-            for (_, part) in by_root2(&lifted) {
-                common = gcd(&common, &part)?;
-            }
-            let mut reduced = Vec::new();
-            for (root, part) in by_root2(&lifted) {
-                let quotient = divide(&part, &common)?.unwrap_or(part);
-                reduced.extend(
-                    quotient.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?.terms().iter().cloned(),
-                );
-            }
-            numerator = Poly::from_terms(reduced)?.times(&Poly::term(lift, rational::integer(1)), Order::NOMINAL)?;
-            denominator = divide(&denominator, &common)?.unwrap_or(denominator);
+            let shift = Poly::term(lowest(&denominator).recip()?, rational::integer(1));
+            denominator = denominator.times(&shift, Order::NOMINAL)?;
+            (numerator, denominator) = cancelled(&numerator.times(&shift, Order::NOMINAL)?, &denominator)?;
         }
         match denominator.terms() {
             [] => Err(AlgebraError::DivisionByZero),
@@ -85,11 +70,19 @@ impl Fraction {
                 let inverse = Poly::term(m.recip()?, c.recip()?);
                 Ok(Self::whole(numerator.times(&inverse, Order::NOMINAL)?.normal(alphabet)?))
             }
-            [.., (_, lead)] => {
-                let inverse = lead.recip()?;
-                Ok(Self { numerator: numerator.scaled(&inverse)?, denominator: Some(denominator.scaled(&inverse)?) })
-            }
+            _ => Self::over(numerator, denominator),
         }
+    }
+
+    /// Of coprime polynomials, the denominator as it stands in a fraction up to a number.
+    fn over(numerator: Poly, denominator: Poly) -> Result<Self, AlgebraError> {
+        let inverse = denominator.terms().last().map_or(Ok(Rational::ONE), |(_, lead)| lead.recip())?;
+        let denominator = Some(denominator.scaled(&inverse)?).filter(|d| d.as_number().is_none());
+        Ok(Self { numerator: numerator.scaled(&inverse)?, denominator })
+    }
+
+    fn below(&self) -> Poly {
+        self.denominator.clone().unwrap_or_else(Poly::one)
     }
 
     /// −x
@@ -102,12 +95,14 @@ impl Fraction {
         if self.is_zero() || other.is_zero() {
             return Ok(Self::zero());
         }
-        let numerator = self.numerator.times(&other.numerator, Order::NOMINAL)?;
-        match (&self.denominator, &other.denominator) {
-            (None, None) => Ok(Self::whole(numerator.normal(alphabet)?)),
-            (Some(d), None) | (None, Some(d)) => Self::new(numerator, d.clone(), alphabet),
-            (Some(d), Some(e)) => Self::new(numerator, d.times(e, Order::NOMINAL)?, alphabet),
+        if self.numerator.has_root2() && other.numerator.has_root2() {
+            // Factors that are coprime to a denominator may have a product that is not: (x + √2 y)(x − √2 y) = x² − 2 y².
+            let numerator = self.numerator.times(&other.numerator, Order::NOMINAL)?;
+            return Self::new(numerator, self.below().times(&other.below(), Order::NOMINAL)?, alphabet);
         }
+        let (left, below_right) = cancelled(&self.numerator, &other.below())?;
+        let (right, below_left) = cancelled(&other.numerator, &self.below())?;
+        Self::over(left.times(&right, Order::NOMINAL)?, below_left.times(&below_right, Order::NOMINAL)?)
     }
 
     /// `self − a · b`, the step of elimination.
@@ -116,16 +111,44 @@ impl Fraction {
         if let (Some(p), Some(q)) = (self.as_poly(), product.as_poly()) {
             return Ok(Self::whole(p.minus(q)?));
         }
-        let below = |x: &Self| x.denominator.clone().unwrap_or_else(Poly::one);
-        let cross = |x: &Self, y: &Self| x.numerator.times(&below(y), Order::NOMINAL);
-        let numerator = cross(self, &product)?.minus(&cross(&product, self)?)?;
-        Self::new(numerator, below(self).times(&below(&product), Order::NOMINAL)?, alphabet)
+        // Over the least common denominator; only what both had in common can have become a factor of the numerator.
+        let (left, right) = (self.below(), product.below());
+        let common = gcd(&left, &right)?;
+        let (left, right) = (exact(&left, &common)?, exact(&right, &common)?);
+        let scaled = self.numerator.times(&right, Order::NOMINAL)?;
+        let numerator = scaled.minus(&product.numerator.times(&left, Order::NOMINAL)?)?;
+        let (numerator, common) = cancelled(&numerator, &common)?;
+        let denominator = left.times(&right, Order::NOMINAL)?.times(&common, Order::NOMINAL)?;
+        Self::over(numerator, denominator)
     }
 
     /// `1 / self`
     pub fn recip(&self, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
-        Self::new(self.denominator.clone().unwrap_or_else(Poly::one), self.numerator.clone(), alphabet)
+        Self::new(self.below(), self.numerator.clone(), alphabet)
     }
+}
+
+/// Both without their greatest common divisor; the denominator has no √2 and no monomial as a factor.
+fn cancelled(numerator: &Poly, denominator: &Poly) -> Result<(Poly, Poly), AlgebraError> {
+    if denominator.as_number().is_some() {
+        return Ok((numerator.clone(), denominator.clone()));
+    }
+    let lift = lowest(numerator);
+    let lifted = numerator.times(&Poly::term(lift.recip()?, rational::integer(1)), Order::NOMINAL)?;
+    let parts = by_root2(&lifted);
+    let mut common = denominator.clone();
+    for (_, part) in &parts {
+        common = gcd(&common, part)?;
+    }
+    if common.as_number().is_some() {
+        return Ok((numerator.clone(), denominator.clone()));
+    }
+    let mut reduced = Poly::ZERO;
+    for (root, part) in parts {
+        let factor = Poly::term(root.times(&lift, 0)?.unwrap_or(lift), rational::integer(1));
+        reduced = reduced.plus(&exact(&part, &common)?.times(&factor, Order::NOMINAL)?)?;
+    }
+    Ok((reduced, exact(denominator, &common)?))
 }
 
 /// The greatest monomial that divides every term (with negative exponents where a term has them).

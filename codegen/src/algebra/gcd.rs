@@ -1,10 +1,16 @@
 //! Exact division and greatest common divisors of polynomials in constants, over the rationals.
 //!
-//! Inputs have no errors, no √2 and no negative exponents. Euclid's algorithm on primitive parts, one symbol
-//! after another: the polynomials met in a base-parameter factorisation have a handful of terms.
+//! Inputs have no errors, no √2 and no negative exponents. Euclid's algorithm on them would make numbers of thousands of
+//! digits of dozens of terms; modulo primes none grows.
 
+use super::modular::{Field, Image, primes};
 use super::rational;
-use super::{AlgebraError, Monomial, NominalId, Order, Poly};
+use super::{AlgebraError, Monomial, Order, Poly, Powers, Rational};
+use core::cmp::Ordering;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive};
+use std::collections::BTreeMap;
 
 /// `a / b` if it leaves no remainder.
 pub(super) fn divide(a: &Poly, b: &Poly) -> Result<Option<Poly>, AlgebraError> {
@@ -22,72 +28,115 @@ pub(super) fn divide(a: &Poly, b: &Poly) -> Result<Option<Poly>, AlgebraError> {
     Poly::from_terms(quotient).map(Some)
 }
 
-/// The greatest common divisor, up to a rational factor.
-pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
-    if a.is_zero() || a == b {
-        return Ok(b.clone());
-    }
-    if b.is_zero() {
-        return Ok(a.clone());
-    }
-    let Some(symbol) = symbols(a).chain(symbols(b)).min() else { return Ok(Poly::one()) };
-    let (content_a, content_b) = (content(a, symbol)?, content(b, symbol)?);
-    let common = gcd(&content_a, &content_b)?;
-    let (mut p, mut q) = (exact(a, &content_a)?, exact(b, &content_b)?);
-    if degree(&p, symbol) < degree(&q, symbol) {
-        core::mem::swap(&mut p, &mut q);
-    }
-    while degree(&q, symbol) > 0 {
-        let remainder = pseudo_remainder(&p, &q, symbol)?;
-        p = q;
-        if remainder.is_zero() {
-            return common.times(&p, Order::NOMINAL);
-        }
-        q = exact(&remainder, &content(&remainder, symbol)?)?;
-    }
-    Ok(common)
-}
-
-fn symbols(p: &Poly) -> impl Iterator<Item = NominalId> {
-    let present = |i: usize| p.terms().iter().any(|(m, _)| m.powers()[i] != 0);
-    (0..super::MAX_NOMINALS).filter(move |&i| present(i)).map(|i| NominalId(i as u8))
-}
-
-fn degree(p: &Poly, symbol: NominalId) -> i8 {
-    p.terms().iter().map(|(m, _)| m.exponent(symbol)).max().unwrap_or(0)
-}
-
-/// Coefficients of the powers of `symbol`.
-fn coefficients(p: &Poly, symbol: NominalId) -> Vec<(Monomial, Poly)> {
-    p.group(|m| Monomial::nominal(symbol, m.exponent(symbol)), |m| m.with_exponent(symbol, 0))
-}
-
-/// The greatest common divisor of the coefficients, with a factor that makes the primitive part's numbers small integers.
-fn content(p: &Poly, symbol: NominalId) -> Result<Poly, AlgebraError> {
-    let mut divisor = Poly::ZERO;
-    for (_, c) in coefficients(p, symbol) {
-        divisor = gcd(&divisor, &c)?;
-    }
-    if let Some((_, lead)) = divisor.terms().last() {
-        divisor = divisor.scaled(&lead.recip()?)?;
-    }
-    divisor.scaled(&rational::content(p.terms().iter().map(|(_, c)| c)))
-}
-
-fn exact(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
+/// `a / b`, which leaves no remainder.
+pub(super) fn exact(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
     Ok(divide(a, b)?.unwrap_or_else(|| a.clone()))
 }
 
-fn pseudo_remainder(a: &Poly, b: &Poly, symbol: NominalId) -> Result<Poly, AlgebraError> {
-    let lead = |p: &Poly| coefficients(p, symbol).pop().map(|(_, c)| c).unwrap_or_default();
-    let (lead_b, degree_b) = (lead(b), degree(b, symbol));
-    let mut rest = a.clone();
-    while !rest.is_zero() && degree(&rest, symbol) >= degree_b {
-        let shift = Poly::term(Monomial::nominal(symbol, degree(&rest, symbol) - degree_b), rational::integer(1));
-        let subtract = lead(&rest).times(&shift, Order::NOMINAL)?.times(b, Order::NOMINAL)?;
-        rest = rest.times(&lead_b, Order::NOMINAL)?.minus(&subtract)?;
+/// The greatest common divisor, up to a rational factor.
+///
+/// Its images modulo primes are put together until they no longer change; what then divides both polynomials is it, since no
+/// image is of lower degree.
+pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
+    let (Some((lead_a, _)), Some((lead_b, _))) = (a.terms().last(), b.terms().last()) else { return a.plus(b) };
+    if a == b {
+        return Ok(a.clone());
     }
-    Ok(rest)
+    let mut lifted: Option<(Lifted, [Poly; 2])> = None;
+    for field in primes() {
+        let (whole_a, whole_b) = lifted.as_ref().map_or((a, b), |(_, [a, b])| (a, b));
+        let (Some(x), Some(y)) = (image(whole_a, field), image(whole_b, field)) else { continue };
+        let common = field.gcd(&x, &y);
+        let Some(lead) = common.keys().next_back() else { continue };
+        match &mut lifted {
+            _ if *lead == *Monomial::ONE.powers() => return Ok(Poly::one()),
+            Some((lifted, whole)) => {
+                if lifted.add(&common, field) {
+                    let candidate = lifted.poly()?;
+                    if divide(&whole[0], &candidate)?.is_some() && divide(&whole[1], &candidate)?.is_some() {
+                        return Ok(candidate);
+                    }
+                }
+            }
+            None if lead == lead_b.powers() && divide(a, b)?.is_some() => return Ok(b.clone()),
+            None if lead == lead_a.powers() && divide(b, a)?.is_some() => return Ok(a.clone()),
+            None => {
+                let whole = [primitive(a)?, primitive(b)?];
+                let mut first = Lifted::new(&whole);
+                first.add(&common, field);
+                lifted = Some((first, whole));
+            }
+        }
+    }
+    Ok(Poly::one())
+}
+
+/// Modulo a prime; `None` where its leading term vanishes or the prime stands below a line.
+fn image(p: &Poly, field: Field) -> Option<Image> {
+    let mut image = Image::new();
+    for (m, c) in p.terms() {
+        image.insert(*m.powers(), c.residue(field)?);
+    }
+    (image.values().next_back() != Some(&0)).then(|| {
+        image.retain(|_, c| *c != 0);
+        image
+    })
+}
+
+/// With coprime whole coefficients.
+fn primitive(p: &Poly) -> Result<Poly, AlgebraError> {
+    p.scaled(&rational::content(p.terms().iter().map(|(_, c)| c)).recip()?)
+}
+
+/// A polynomial with whole coefficients by its residues modulo a growing product of primes, each of the least size.
+struct Lifted {
+    /// What its leading coefficient is a divisor of, and is made to be.
+    lead: BigInt,
+    modulus: BigInt,
+    terms: BTreeMap<Powers, BigInt>,
+}
+
+impl Lifted {
+    /// Of a divisor of both.
+    fn new(whole: &[Poly; 2]) -> Self {
+        let lead = |p: &Poly| p.terms().last().map_or_else(BigInt::one, |(_, c)| c.numer());
+        Self { lead: lead(&whole[0]).gcd(&lead(&whole[1])), modulus: BigInt::one(), terms: BTreeMap::new() }
+    }
+
+    /// Takes an image whose leading coefficient is 1; true where it changes nothing. One of lower degree shows that those
+    /// before were too high.
+    fn add(&mut self, image: &Image, field: Field) -> bool {
+        match image.keys().next_back().cmp(&self.terms.keys().next_back()) {
+            Ordering::Greater if !self.terms.is_empty() => return false,
+            Ordering::Less => (self.modulus, self.terms) = (BigInt::one(), BTreeMap::new()),
+            _ => {}
+        }
+        let (lead, inverse) = (residue(&self.lead, field), field.inverse(residue(&self.modulus, field)));
+        let mut same = true;
+        for powers in image.keys() {
+            self.terms.entry(*powers).or_default();
+        }
+        for (powers, c) in &mut self.terms {
+            let own = image.get(powers).map_or(0, |i| i * lead % field.0);
+            let step = (own + field.0 - residue(c, field)) % field.0 * inverse % field.0;
+            if step != 0 {
+                same = false;
+                let least = if 2 * step > field.0 { i128::from(step) - i128::from(field.0) } else { step.into() };
+                *c += &self.modulus * least;
+            }
+        }
+        self.modulus *= field.0;
+        same
+    }
+
+    fn poly(&self) -> Result<Poly, AlgebraError> {
+        let term = |(powers, c): (&Powers, &BigInt)| (Monomial::of_powers(*powers), Rational::from_big(c.clone().into()));
+        primitive(&Poly::from_terms(self.terms.iter().map(term).collect())?)
+    }
+}
+
+fn residue(n: &BigInt, field: Field) -> u64 {
+    n.mod_floor(&field.0.into()).to_u64().unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ mod fraction;
 mod gcd;
 mod harmonics;
 mod matrix;
+mod modular;
 mod monomial;
 mod poly;
 mod rational;

@@ -214,6 +214,10 @@ impl Poly {
         Self::from_terms(self.terms.iter().map(reduce).collect())
     }
 
+    pub(super) fn has_root2(&self) -> bool {
+        self.terms.iter().any(|(m, _)| m.exponent(Alphabet::ROOT2) != 0)
+    }
+
     /// The terms with exactly `order` errors.
     pub fn of_order(&self, order: usize) -> Self {
         Self { terms: self.terms.iter().filter(|(m, _)| m.order() == order).cloned().collect() }

@@ -9,6 +9,7 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{CheckedAdd, CheckedMul, One, Signed, ToPrimitive, Zero};
 
 use super::AlgebraError;
+use super::modular::Field;
 
 /// An exact rational number in lowest terms; equal numbers are equal values.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -109,6 +110,23 @@ impl Rational {
         match &self.0 {
             Repr::Small(n, _) => *n < 0,
             Repr::Big(big) => big.is_negative(),
+        }
+    }
+
+    /// Modulo a prime; `None` where that stands below the line.
+    pub(super) fn residue(&self, field: Field) -> Option<u64> {
+        let Field(p) = field;
+        let (numer, denom) = match &self.0 {
+            Repr::Small(n, d) => (n.rem_euclid(p.into()) as u64, d.get().rem_euclid(p.into()) as u64),
+            Repr::Big(big) => {
+                let residue = |n: &BigInt| n.mod_floor(&p.into()).to_u64().unwrap_or(0);
+                (residue(big.numer()), residue(big.denom()))
+            }
+        };
+        match denom {
+            0 => None,
+            1 => Some(numer),
+            denom => Some(numer * field.inverse(denom) % p),
         }
     }
 
