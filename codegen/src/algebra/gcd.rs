@@ -130,7 +130,8 @@ impl Lifted {
     }
 
     fn poly(&self) -> Result<Poly, AlgebraError> {
-        let term = |(powers, c): (&Powers, &BigInt)| (Monomial::of_powers(*powers), Rational::from_big(c.clone().into()));
+        let term =
+            |(powers, c): (&Powers, &BigInt)| (Monomial::of_powers(*powers), Rational::from_big(c.clone().into()));
         primitive(&Poly::from_terms(self.terms.iter().map(term).collect())?)
     }
 }

@@ -118,7 +118,9 @@ impl Field {
         let needed = degree(&a).min(degree(&b)) + common.len();
         let mut found = Interpolated::default();
         // Not small numbers, and others for each symbol: R − L is not to vanish wherever R − 1 does.
-        let points = (1..self.0).map(|n| n * (0x9e37_79b1 + last as u64) % self.0).filter(|x| leads.iter().all(|lead| self.at(lead, *x) != 0));
+        let points = (1..self.0)
+            .map(|n| n * (0x9e37_79b1 + last as u64) % self.0)
+            .filter(|x| leads.iter().all(|lead| self.at(lead, *x) != 0));
         for x in points {
             let image = self.gcd_in(&self.fixed(&a, x), &self.fixed(&b, x), others);
             if image == constant() {

@@ -8,4 +8,4 @@ mod search;
 pub use choices::{Choices, with_runs};
 pub use pool::{Measured, Pool};
 pub use proposal::{Asked, Design, DesignError, Proposal, Reachable, design};
-pub use search::{Enough, Within, fewest, share};
+pub use search::{Enough, Next, Within, fewest, share};

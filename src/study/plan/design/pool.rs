@@ -11,6 +11,7 @@ use crate::study::visited::{between, visited};
 use crate::study::{ErrorLimits, Setup, SetupError, grid};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use std::collections::BTreeMap;
+use trunnion_codegen::algebra::{Poly, at};
 use trunnion_codegen::identify::{Origin, name};
 use trunnion_codegen::ids::{FunctionId, RunId, TermId};
 use trunnion_codegen::model::Coefficient;
@@ -234,10 +235,19 @@ impl Single {
         space: &DMatrix<f64>,
     ) -> Target {
         let mut whole = DVector::zeros(parameters.0.len());
+        let mut add = |origin: Origin, factor: f64| {
+            if let Some((column, std)) = parameters.of(&name(&self.setup.model, origin), beyond) {
+                whole[column] += factor * std;
+            }
+        };
         for (term, value) in self.setup.basis(function, x).iter_enumerated() {
-            let own = name(&self.setup.model, Origin::Coefficient(Coefficient { function, term }));
-            if let Some((column, std)) = parameters.of(&own, beyond) {
-                whole[column] = value * std;
+            let own = Origin::Coefficient(Coefficient { function, term });
+            match self.setup.derivation.assumed.iter().find(|a| a.origin == own) {
+                Some(assumed) => {
+                    let number = |p: &Poly| at(p, &self.setup.model.alphabet, 0.0, |n| self.setup.constant(n));
+                    assumed.is.iter().for_each(|(origin, factor)| add(*origin, value * number(factor)));
+                }
+                None => add(own, *value),
             }
         }
         let seen = space.tr_mul(&whole);

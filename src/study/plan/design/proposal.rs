@@ -2,7 +2,7 @@
 
 use super::choices::{Choices, with_runs};
 use super::pool::{Measured, Pool};
-use super::search::{Enough, Within, fewest};
+use super::search::{Enough, Next, Within, fewest};
 use crate::study::plan::{Intended, Prediction, predict};
 use crate::study::{EstimateError, Estimator, Setup, SetupError};
 use std::collections::BTreeMap;
@@ -17,8 +17,10 @@ const NEAR: f64 = 1.1;
 const COVERAGE_FACTOR: f64 = 1.96;
 /// Alternatives beside the best.
 const ALTERNATIVES: usize = 2;
-/// Sets that are found by numbers before each is derived exactly.
-const TRIED: usize = 12;
+/// Sets that are derived exactly, at most.
+const TRIED: usize = 60;
+/// A condition up to which everything that the runs see is told apart well.
+const WELL: f64 = 1000.0;
 /// Times its limit: so large is an error that nothing is known of.
 const UNKNOWN: f64 = 100.0;
 
@@ -113,24 +115,27 @@ pub fn design(
         within: within.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
         best: best.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
     };
-    let (mut proposals, mut refused) = (Vec::new(), None);
-    for enough in fewest(&pool, &within, TRIED, done) {
-        let proposal = match exact(draft, &choices, &enough, asked) {
-            Ok(proposal) => proposal,
+    let (mut proposals, mut hardly, mut refused) = (Vec::new(), Vec::new(), None);
+    let mut tried = 0;
+    fewest(&pool, &within, done, &mut |enough| {
+        tried += 1;
+        match exact(draft, &choices, &enough, asked) {
             Err(error) => {
                 refused.get_or_insert(error);
-                continue;
             }
-        };
-        let of = |f: &FunctionId| proposal.prediction.functions.iter().find(|p| p.function == *f);
-        let as_said = |f: &FunctionId| of(f).is_some_and(|p| p.told.extent == Extent::Determined);
-        if !determined || functions.iter().all(as_said) {
-            proposals.push(proposal);
+            Ok(proposal) => {
+                let of = |f: &FunctionId| proposal.prediction.functions.iter().find(|p| p.function == *f);
+                let as_said = |f: &FunctionId| of(f).is_some_and(|p| p.told.extent == Extent::Determined);
+                if !determined || functions.iter().all(as_said) {
+                    let well = proposal.prediction.condition <= WELL;
+                    if well { &mut proposals } else { &mut hardly }.push(proposal);
+                }
+            }
         }
-        if proposals.len() > ALTERNATIVES {
-            break;
-        }
-    }
+        if proposals.len() > ALTERNATIVES || tried >= TRIED { Next::Enough } else { Next::More }
+    });
+    hardly.sort_by(|a, b| a.prediction.condition.total_cmp(&b.prediction.condition));
+    proposals.extend(hardly.into_iter().take((ALTERNATIVES + 1).saturating_sub(proposals.len())));
     if let Some(error) = refused.filter(|_| proposals.is_empty()) {
         return Err(error);
     }

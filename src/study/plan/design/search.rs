@@ -23,18 +23,15 @@ pub struct Enough {
     pub share: f64,
 }
 
-/// At least `wanted` sets that suffice, where there are so many, the best first: with the fewest placings, then runs, then
-/// uncertainty. `done` is told how many placings are being tried.
-pub fn fewest(pool: &Pool, within: &Within, wanted: usize, done: &(dyn Fn(usize) + Sync)) -> Vec<Enough> {
-    let placings = pool.placings();
-    let mut found: Vec<Enough> = Vec::new();
-    for count in 1..=placings {
+/// Goes through the sets that suffice: those with the fewest placings first, of these those with the fewest runs, of these the
+/// most certain; as long as `each` asks for more. `done` is told how many placings are being tried.
+pub fn fewest(pool: &Pool, within: &Within, done: &(dyn Fn(usize) + Sync), each: &mut dyn FnMut(Enough) -> Next) {
+    for count in 1..=pool.placings() {
         done(count);
-        let together: Vec<Vec<usize>> = combinations(placings, count);
         let inside = |chosen: &Vec<usize>| -> Vec<usize> {
             (0..pool.len()).filter(|&i| chosen.contains(&pool.placing(i))).collect()
         };
-        let pools: Vec<Vec<usize>> = together
+        let pools: Vec<Vec<usize>> = combinations(pool.placings(), count)
             .par_iter()
             .map(inside)
             .filter(|runs| share(pool, within, &pool.known(runs.iter().copied())) <= 1.0)
@@ -42,24 +39,29 @@ pub fn fewest(pool: &Pool, within: &Within, wanted: usize, done: &(dyn Fn(usize)
         let most = pools.iter().map(Vec::len).max().unwrap_or(0);
         for size in count..=most {
             let sets = |runs: &Vec<usize>| Search::new(pool, within, runs).of_size(size);
-            let sets: Vec<Enough> = pools.par_iter().flat_map_iter(sets).collect();
-            for set in sets {
-                // With fewer placings than these it was found before.
-                let new = found.iter().all(|other| other.runs != set.runs);
-                if new && set.placings == count {
-                    found.push(set);
+            let mut sets: Vec<Enough> = pools.par_iter().flat_map_iter(sets).collect();
+            // With fewer placings they were found before.
+            sets.retain(|set| set.placings == count);
+            sets.sort_by(|a, b| a.share.total_cmp(&b.share).then_with(|| a.runs.cmp(&b.runs)));
+            for set in sets.into_iter().take(TRIED) {
+                if each(set) == Next::Enough {
+                    return;
                 }
             }
-            if found.len() >= wanted {
-                break;
-            }
-        }
-        if found.len() >= wanted {
-            break;
         }
     }
-    found.sort_by(|a, b| (a.placings, a.runs.len()).cmp(&(b.placings, b.runs.len())).then(a.share.total_cmp(&b.share)));
-    found
+}
+
+/// Sets of one size that are looked at more closely.
+const TRIED: usize = 24;
+
+/// Whether another set is wanted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Next {
+    /// It is.
+    More,
+    /// It is not.
+    Enough,
 }
 
 /// The largest uncertainty over what it may be.
