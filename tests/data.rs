@@ -163,7 +163,7 @@ fn truth_has_the_shape_of_the_reference() {
         let points = expected["eps_xa"].as_array().unwrap().iter().map(point).collect();
         let mut truth = Truth {
             seed: expected["seed"].as_u64().unwrap(),
-            radius_mm: number(&expected["radius_mm"]),
+            radius_mm: Some(number(&expected["radius_mm"])),
             samples: expected["samples"].as_u64().unwrap() as usize,
             noise_um: number(&expected["noise_um"]),
             range_deg: (number(&expected["range_deg"][0]), number(&expected["range_deg"][1])),

@@ -106,7 +106,7 @@ fn simulated_files_say_what_they_hold() {
         let setup = Setup::from_description(model, lengths).unwrap();
         let simulation = simulation(1, 36, 0.1);
         let directory = tempfile::tempdir().unwrap();
-        let result = write_simulation(&setup, &simulation, &simulation.measure(&setup), lengths[0].1, directory.path());
+        let result = write_simulation(&setup, &simulation, &simulation.measure(&setup), directory.path());
         (result, directory)
     };
     let truth = |directory: &tempfile::TempDir| -> serde_json::Value {

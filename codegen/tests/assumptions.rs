@@ -12,9 +12,12 @@ fn length(name: &str) -> f64 {
     if name == "R" { 1.0 } else { 0.83 }
 }
 
+/// The rotary table without the runs that have the ball on the other side: these leave its first harmonic open.
 fn derived(assume: &str) -> (Model, Derivation) {
     let file = source("rotary-table-c").unwrap();
-    read_and_derive(&format!("{file}\n[assume]\n{assume}")).unwrap()
+    let (runs, functions) = file.split_once("\n[function]").unwrap();
+    let runs: Vec<&str> = runs.split("\n[run.").filter(|run| !run.contains("-opposite]")).collect();
+    read_and_derive(&format!("{}\n[function]{functions}\n[assume]\n{assume}", runs.join("\n[run."))).unwrap()
 }
 
 /// A row of readings for many angles, and one for each condition, over the parameters without any assumption.

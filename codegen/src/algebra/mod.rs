@@ -17,6 +17,7 @@ mod rational;
 mod symbol;
 mod turn;
 mod value;
+pub(crate) mod vectors;
 mod wrapped;
 
 pub use crate::quantity::Quantity;

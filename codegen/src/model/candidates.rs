@@ -5,7 +5,8 @@
 //! u(θ) = u cos θ + v sin θ and v(θ) = v cos θ − u sin θ, and D is R·u(θ) (*radial*), R·v(θ) (*tangential*), R·d (*axial*), or
 //! 0 where displacements are read. *Circular* is the circle of the linear axes about a ball on the resting axis (ISO 230-4).
 
-use crate::algebra::{self, AlgebraError, Alphabet, Monomial, NominalId, Order, Poly, PolyVector, Rational};
+use crate::algebra::vectors::{cross, difference, dot, scaled, sum};
+use crate::algebra::{AlgebraError, Alphabet, Monomial, NominalId, Poly, PolyVector, Rational};
 use crate::basis::Coordinate;
 use crate::expression::write;
 use crate::ids::AxisId;
@@ -330,33 +331,4 @@ fn somewhere(
         None => return Err(AlgebraError::DivisionByZero),
     };
     Ok((scaled(&length, &u, alphabet)?, u, length))
-}
-
-fn each(f: impl FnMut(usize) -> Result<Poly, AlgebraError>) -> Result<PolyVector, AlgebraError> {
-    let [x, y, z] = [0, 1, 2].map(f);
-    Ok([x?, y?, z?])
-}
-
-fn sum(a: &PolyVector, b: &PolyVector) -> Result<PolyVector, AlgebraError> {
-    each(|i| a[i].plus(&b[i]))
-}
-
-fn difference(a: &PolyVector, b: &PolyVector) -> Result<PolyVector, AlgebraError> {
-    each(|i| a[i].minus(&b[i]))
-}
-
-fn scaled(by: &Poly, vector: &PolyVector, alphabet: &Alphabet) -> Result<PolyVector, AlgebraError> {
-    each(|i| by.times(&vector[i], Order::NOMINAL)?.normal(alphabet))
-}
-
-fn dot(a: &PolyVector, b: &PolyVector, alphabet: &Alphabet) -> Result<Poly, AlgebraError> {
-    algebra::dot(a, b, Order::NOMINAL)?.normal(alphabet)
-}
-
-fn cross(a: &PolyVector, b: &PolyVector, alphabet: &Alphabet) -> Result<PolyVector, AlgebraError> {
-    let times = |i: usize, k: usize| a[i].times(&b[k], Order::NOMINAL);
-    each(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        times(j, k)?.minus(&times(k, j)?)?.normal(alphabet)
-    })
 }

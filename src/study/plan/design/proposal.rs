@@ -18,7 +18,7 @@ const COVERAGE_FACTOR: f64 = 1.96;
 /// Alternatives beside the best.
 const ALTERNATIVES: usize = 2;
 /// Sets that are derived exactly, at most.
-const TRIED: usize = 60;
+const TRIED: usize = 150;
 /// A condition up to which everything that the runs see is told apart well.
 const WELL: f64 = 1000.0;
 /// Times its limit: so large is an error that nothing is known of.
