@@ -17,6 +17,8 @@ struct Arguments {
 enum Command {
     /// The paper in one command: derive, simulate, fit, and what was recovered against the truth.
     Demo(commands::demo::DemoArguments),
+    /// The catalogue: which machine is mine.
+    Models(commands::models::ModelsArguments),
     /// Equations, base parameters and source code of a model.
     Derive(commands::derive::DeriveArguments),
     /// Measurement files of a drawn machine, from exact lengths.
@@ -35,6 +37,7 @@ enum Command {
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Demo(c) => c.run(),
+        Command::Models(c) => c.run(),
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
         Command::Fit(c) => c.run(),

@@ -61,7 +61,8 @@ impl DemoArguments {
             "\n3. {TRIALS} such machines; the paper's one simulation had a largest error of {PAPER} µrad\n\n"
         );
         let estimators = [Estimator::TwoStep, Estimator::Joint];
-        out += &monte_carlo::text(TRIALS, &monte_carlo::watched(&setup, simulation.draws(TRIALS), &estimators)?);
+        out +=
+            &monte_carlo::text(&setup, TRIALS, &monte_carlo::watched(&setup, simulation.draws(TRIALS), &estimators)?);
         write_simulation(&setup, &simulation, &simulated, &self.out)?;
         figures(&setup, observations, &reports, &self.out)?;
         let _ = write!(

@@ -8,14 +8,17 @@ use super::{Refused, document};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use trunnion::data::RunFiles;
-use trunnion::study::{Estimator, fit, report, weigh};
+use trunnion::study::plan::subset;
+use trunnion::study::{Estimator, SetupError, fit, report, weigh};
+use trunnion_codegen::ids::RunId;
+use trunnion_codegen::model::Model;
 
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
 pub struct FitArguments {
     #[command(flatten)]
     model: ModelArguments,
-    /// Measurements of a run; once for every run of the model.
+    /// Measurements of a run; once for each run that was made.
     ///
     /// Three displacements may be in one file with the columns dx, dy, dz: `low=FILE` for the runs low-x, low-y, low-z.
     #[arg(long = "run", value_name = "NAME=FILE", required = true)]
@@ -60,8 +63,9 @@ impl From<Combine> for Estimator {
 impl FitArguments {
     /// Reads, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let setup = self.model.setup()?;
-        let files = RunFiles::new(&setup, &self.files()?)?;
+        let given = self.files()?;
+        let setup = self.model.setup(|model| made(model, &given))?;
+        let files = RunFiles::new(&setup, &given)?;
         let weights = self.weights()?;
         let (limits, instrument) = (self.limits.limits(&setup)?, self.instrument.instrument(&setup.model)?);
         let mut observations = files.read(&setup, self.table.as_deref())?;
@@ -94,4 +98,24 @@ impl FitArguments {
         let split = |given| pair(given).and_then(|(name, weight)| Some((name, weight.parse().ok()?)));
         self.weights.iter().map(|given| split(given).ok_or_else(|| Refused::Weight(given.clone()))).collect()
     }
+}
+
+/// Keeps the runs that were made; with a name that no run has, all, which is told where the files are read.
+fn made(model: &mut Model, given: &[(&str, &str)]) -> Result<(), Refused> {
+    let is = |run: &str, name: &str| {
+        run == name || run.strip_suffix(['x', 'y', 'z']).is_some_and(|r| r.strip_suffix('-') == Some(name))
+    };
+    let of = |name: &str| model.runs.iter().any(|run| is(&run.name, name));
+    if !given.iter().all(|(name, _)| of(name)) {
+        return Ok(());
+    }
+    let made = |run: &str| given.iter().any(|(name, _)| is(run, name));
+    let (kept, left): (Vec<RunId>, Vec<RunId>) = model.runs.keys().partition(|run| made(&model.runs[*run].name));
+    if left.is_empty() {
+        return Ok(());
+    }
+    let names: Vec<&str> = left.iter().map(|run| model.runs[*run].name.as_str()).collect();
+    eprintln!("note: fitted without {}, which no file is given for", names.join(", "));
+    *model = subset(model, &kept).map_err(|e| SetupError::derivation(model, &e))?;
+    Ok(())
 }

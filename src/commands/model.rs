@@ -51,13 +51,8 @@ pub struct ModelArguments {
 }
 
 impl ModelArguments {
-    /// The model with its lengths.
-    pub fn setup(&self) -> Result<Setup, Refused> {
-        self.setup_with(|_| Ok(()))
-    }
-
     /// The model with its lengths, after a change.
-    pub fn setup_with(&self, change: impl FnOnce(&mut Model) -> Result<(), Refused>) -> Result<Setup, Refused> {
+    pub fn setup(&self, change: impl FnOnce(&mut Model) -> Result<(), Refused>) -> Result<Setup, Refused> {
         let radius = self.radius.map(Radius::new).transpose()?;
         let mut model = load(&self.model)?;
         change(&mut model)?;

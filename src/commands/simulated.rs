@@ -50,7 +50,7 @@ impl SimulationArguments {
         if !(1..=MOST_SAMPLES).contains(&self.samples) {
             return Err(Refused::Option("samples", self.samples.to_string(), "expected a number from 1 to 10000000"));
         }
-        let setup = model.setup_with(|model| self.ranges.apply(model))?;
+        let setup = model.setup(|model| self.ranges.apply(model))?;
         let (limits, range_deg) = (self.limits.limits(&setup)?, (from, to));
         let &Self { seed, samples, noise_um, .. } = self;
         let simulation = Simulation { seed, samples, noise_um, limits, range_deg };

@@ -82,7 +82,7 @@ impl core::error::Error for SetupError {}
 
 impl SetupError {
     /// A failed derivation of a model.
-    pub(crate) fn derivation(model: &Model, error: &DeriveError) -> Self {
+    pub fn derivation(model: &Model, error: &DeriveError) -> Self {
         Self::Description(of_derivation(model, error))
     }
 }

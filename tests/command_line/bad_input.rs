@@ -57,7 +57,6 @@ fn bad_inputs<'a>() -> Vec<Bad<'a>> {
         fit_of("an arc of 1e-6 degrees", both(angles(&|i| f64::from(i) * 1e-6 / 24.0))),
         fit_of("four places in six turns", both(angles(&|i| f64::from(i) * 90.0))),
         given("run twice", &["--run", tilting_run, "--run", tilting_run, "--run", separation]),
-        given("run not given", &["--run", tilting_run]),
         given("unknown run", &["--run", tilting_run, "--run", separation, "--run", "third=tilting.csv"]),
         given("run without a file", &["--run", "tilting", "--run", separation]),
         with("unknown model", &[&["fit", "tilting-table-z", "--radius", "150"][..], &RUNS].concat()),

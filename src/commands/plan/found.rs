@@ -1,5 +1,6 @@
 //! All that `plan` has to say.
 
+use trunnion::study::plan::design::Recommended;
 use trunnion::study::plan::{Addition, Compared, Comparison};
 use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::model::Model;
@@ -16,6 +17,8 @@ pub struct Found<'a> {
     pub compared: Vec<Compared>,
     /// The confounded groups in words.
     pub described: Vec<String>,
+    /// The fewest runs for each function, and how they would be measured.
+    pub recommended: Vec<Recommended>,
     /// Runs of the catalogue that fit the machine.
     pub tried: usize,
     pub added: Vec<Addition>,

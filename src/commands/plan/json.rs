@@ -29,6 +29,17 @@ pub fn json(found: &Found) -> Value {
             }).collect::<Vec<_>>(),
         })
     });
+    let recommended = found.recommended.iter().map(|r| {
+        let error = model.functions[r.function].error;
+        let unit = model.alphabet.error_quantity(error).deviation();
+        json!({
+            "name": model.notation.function(model.alphabet.error_name(error)),
+            "unit": unit.suffix(),
+            "runs": r.runs,
+            "u95": unit.from_inner(r.u95),
+            "best": unit.from_inner(r.best),
+        })
+    });
     let known = added.iter().filter(|a| !a.finds.is_empty());
     json!({
         "model": model.name,
@@ -36,6 +47,7 @@ pub fn json(found: &Found) -> Value {
         "noise_um": found.noise_um,
         "estimator": comparison.estimator.to_string(),
         "plans": compared.iter().map(object).collect::<Vec<_>>(),
+        "recommended": recommended.collect::<Vec<_>>(),
         "runs_tried": tried,
         "confounded": groups.collect::<Vec<_>>(),
         "known_measured_by": known.map(|a| json!({ "model": a.model, "run": a.run, "functions": a.finds })).collect::<Vec<_>>(),

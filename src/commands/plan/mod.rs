@@ -14,8 +14,10 @@ use super::predicted::{self, Measuring};
 use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
 use trunnion::data::Radius;
-use trunnion::study::SetupError;
+use trunnion::data::Unit;
+use trunnion::study::plan::design::{Measured, recommended};
 use trunnion::study::plan::{Comparison, additions, compare};
+use trunnion::study::{SetupError, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
 use trunnion_codegen::model::{Model, read_draft};
@@ -79,7 +81,9 @@ impl PlanArguments {
         let (tried, added) = additions(&draft, &model, &derivation, catalogue::MODELS);
         let described: Vec<String> =
             derivation.groups().iter().map(|g| equations::group(&model, &derivation, g)).collect();
+        let measured = self.measured(&model, &comparison)?;
         let found = Found {
+            recommended: recommended(&draft, &model, &measured)?,
             model: &model,
             derivation: &derivation,
             comparison: &comparison,
@@ -121,6 +125,19 @@ impl PlanArguments {
             samples: self.measuring.samples as usize,
             sigma: self.measuring.sigma()?,
             estimator: self.measuring.estimator.into(),
+        })
+    }
+
+    /// The first of what is compared, for the recommendation.
+    fn measured(&self, model: &Model, comparison: &Comparison) -> Result<Measured, Refused> {
+        let bars = bars(model).into_iter().map(|bar| Some((bar, *self.radius.first()?)));
+        let (from, to) = if self.range_deg.is_empty() { RANGES[0] } else { self.range_deg[0] };
+        Ok(Measured {
+            lengths: comparison.lengths.iter().cloned().chain(bars.flatten()).collect(),
+            samples: comparison.samples,
+            range: (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to)),
+            sigma: comparison.sigma,
+            limits: self.limits.of(model)?,
         })
     }
 

@@ -46,6 +46,7 @@ pub fn text(found: &Found) -> String {
         }
     }
     let _ = writeln!(out, "  ! condition above {WARN_CONDITION}: hardly told apart");
+    out += &recommendation(found);
     out += &not_determined(compared.iter().filter(|l| found.named || l.without.is_empty()));
     let _ = writeln!(
         out,
@@ -111,6 +112,27 @@ fn not_determined<'a>(lines: impl Iterator<Item = &'a Compared>) -> String {
         for f in held {
             let _ = writeln!(out, "  {}: {}", setup.function_name(f.function), f.told.words);
         }
+    }
+    out
+}
+
+/// For each function the fewest runs that do nearly as well as all.
+fn recommendation(found: &Found) -> String {
+    let mut out = String::from("\nEnough, within a tenth of what all runs give");
+    out += if found.comparison.radii.len() * found.comparison.ranges_deg.len() > 1 {
+        " (the first bar and range)\n"
+    } else {
+        "\n"
+    };
+    for r in &found.recommended {
+        let error = found.model.functions[r.function].error;
+        let unit = found.model.alphabet.error_quantity(error).deviation();
+        let name = found.model.notation.function(found.model.alphabet.error_name(error));
+        let [best, u95] = [r.best, r.u95].map(|x| unit.from_inner(x));
+        let _ = writeln!(out, "  {name}: {} (± {u95:.3} {unit}, all ± {best:.3})", r.runs.join(", "));
+    }
+    if found.recommended.is_empty() {
+        out += "  no function is determined: `plan --for` searches runs that do\n";
     }
     out
 }

@@ -3,9 +3,11 @@
 mod choices;
 mod pool;
 mod proposal;
+mod recommended;
 mod search;
 
 pub use choices::{Choices, with_runs};
 pub use pool::{Measured, Pool};
 pub use proposal::{Asked, Design, DesignError, Proposal, Reachable, design};
+pub use recommended::{Recommended, recommended};
 pub use search::{Enough, Next, Within, fewest, share};

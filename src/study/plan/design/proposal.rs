@@ -12,9 +12,9 @@ use trunnion_codegen::ids::FunctionId;
 use trunnion_codegen::model::{Draft, DraftRun, Model};
 
 /// A function's uncertainty may be this much larger than the least that can be reached, where nothing is asked.
-const NEAR: f64 = 1.1;
+pub(super) const NEAR: f64 = 1.1;
 /// Standard uncertainties in an expanded one.
-const COVERAGE_FACTOR: f64 = 1.96;
+pub(super) const COVERAGE_FACTOR: f64 = 1.96;
 /// Alternatives beside the best.
 const ALTERNATIVES: usize = 2;
 /// Sets that are derived exactly, at most.
@@ -22,7 +22,7 @@ const TRIED: usize = 150;
 /// A condition up to which everything that the runs see is told apart well.
 const WELL: f64 = 1000.0;
 /// Times its limit: so large is an error that nothing is known of.
-const UNKNOWN: f64 = 100.0;
+pub(super) const UNKNOWN: f64 = 100.0;
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq)]
