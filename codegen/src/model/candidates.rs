@@ -6,7 +6,7 @@
 //! 0 where displacements are read. *Circular* is the circle of the linear axes about a ball on the resting axis (ISO 230-4).
 
 use crate::algebra::vectors::{cross, difference, dot, scaled, sum};
-use crate::algebra::{AlgebraError, Alphabet, Monomial, NominalId, Poly, PolyVector, Rational};
+use crate::algebra::{AlgebraError, Alphabet, Monomial, NominalId, Poly, PolyVector, Rational, nominal_value};
 use crate::basis::Coordinate;
 use crate::expression::write;
 use crate::ids::AxisId;
@@ -113,15 +113,20 @@ impl<'a> Machine<'a> {
         };
         let mut found = None;
         for [carried, other] in own_runs.into_iter().map(balls) {
-            if let Some((u, distance)) = outwards(&carried.at, &d, &alphabet)? {
-                found = Some((carried.at.clone(), u, distance, [carried, other].map(|ball| setup(ball, &alphabet))));
-                break;
+            let Some((u, distance)) = outwards(&carried.at, &d, &alphabet)? else { continue };
+            // The nearest one, on the positive side if there is one on either.
+            let size = distance.evaluate(|id| nominal_value(id, &alphabet, 0.0, |_| 1.0), |_| 0.0);
+            let negative = u.iter().find_map(|p| p.terms().first()).is_some_and(|(_, factor)| factor.is_negative());
+            let near = found.as_ref().is_none_or(|(before, ..): &((f64, bool), _, _, _, _)| (size, negative) < *before);
+            if near {
+                let setups = [carried, other].map(|ball| setup(ball, &alphabet));
+                found = Some(((size, negative), carried.at.clone(), u, distance, setups));
             }
         }
         let other = model.runs.first().map(|run| setup(balls(run)[1], &alphabet)).unwrap_or_default();
         let beside = found.is_none();
         let (own, u, distance, setups) = match found {
-            Some(found) => found,
+            Some((_, own, u, distance, setups)) => (own, u, distance, setups),
             None => {
                 let (own, u, distance) = somewhere(&alphabet, bar, &d)?;
                 (own, u, distance, [Vec::new(), other])
