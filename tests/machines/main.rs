@@ -16,7 +16,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use reference::{Linear, Reference, stacked};
-use space::{Space, satisfying, scales};
+use space::{Space, in_units};
 use trunnion::Setup;
 use trunnion_codegen::basis::Coordinate;
 use trunnion_codegen::ids::{AxisId, ParameterId, RunId};
@@ -62,7 +62,7 @@ impl<'a> Case<'a> {
         let known = rows(&|n, error| left_out(&setup, n, error));
         let (whole, folded) = (matrices(&rows(&|_, _| false)), matrices(&known));
         let all = together(&whole, reference.width());
-        let within = satisfying(&reference.conditions(), &scales(&all));
+        let within = in_units(&all, reference.within());
         let space = Space::new(&all, &within);
         let folded_space = Space::new(&together(&folded, reference.width()), &within);
         Self { reference, setup, sweeps, whole, folded, known, within, space, folded_space }

@@ -1,7 +1,7 @@
 //! What a drawn machine reads, by 4×4 products of dual numbers: each error in turn is the one with a derivative.
 
 use super::dual::{Dual, Point, Transform, dot};
-use super::machine::{Axis, Ball, Machine, Reading, Run, SIDES, setup_names};
+use super::machine::{Assumed, Axis, Ball, Machine, Reading, Run, SIDES, setup_names};
 use super::wave::{LENGTHS, Ratio};
 use nalgebra::{DMatrix, RowDVector};
 use std::array::from_fn;
@@ -64,7 +64,6 @@ impl<'a> Reference<'a> {
         self.names.len()
     }
 
-    pub fn all(&self) -> Vec<String> { let mut v = vec![String::new(); self.names.len()]; for (n,i) in &self.names { v[*i] = n.clone(); } v }
     /// Where a parameter is.
     pub fn place(&self, name: &str) -> usize {
         self.names[name]
@@ -75,15 +74,20 @@ impl<'a> Reference<'a> {
         RowDVector::from_fn(self.width(), |_, j| if j == self.place(name) { 1.0 } else { 0.0 })
     }
 
-    /// The assumptions, one a row.
-    pub fn conditions(&self) -> DMatrix<f64> {
-        let mut conditions = DMatrix::zeros(self.machine.assumed.len(), self.width());
-        for (i, assumed) in self.machine.assumed.iter().enumerate() {
-            for (name, factor) in &assumed.terms {
-                conditions[(i, self.place(name))] += factor.value();
+    /// What the assumptions leave, a column for each parameter that stays: each gives its first, and none stands in two.
+    pub fn within(&self) -> DMatrix<f64> {
+        let mut all = DMatrix::identity(self.width(), self.width());
+        let assumed = &self.machine.assumed;
+        for Assumed { terms, .. } in assumed {
+            let (first, own) = &terms[0];
+            all[(self.place(first), self.place(first))] = 0.0;
+            for (name, factor) in &terms[1..] {
+                all[(self.place(first), self.place(name))] = -factor.value() / own.value();
             }
         }
-        conditions
+        let gone: Vec<usize> = assumed.iter().map(|a| self.place(&a.terms[0].0)).collect();
+        let kept: Vec<usize> = (0..self.width()).filter(|j| !gone.contains(j)).collect();
+        all.select_columns(&kept)
     }
 
     /// The linear reading of a run, without the errors that are left out of it.

@@ -2,9 +2,8 @@
 
 use nalgebra::{DMatrix, DVector, RowDVector};
 
-/// Singular values above this share of the largest count, and none may come near: derivations and double precision leave
-/// several digits between what is zero and what is not.
-const COUNTS: f64 = 1e-9;
+/// Singular values above this share of the largest count, below the other they are zero, and none may be between.
+const COUNTS: f64 = 1e-10;
 const VANISHES: f64 = 1e-12;
 
 /// `A x = r` with x within a given space.
@@ -26,24 +25,20 @@ impl Space {
     /// The rank is not clear.
     pub fn new(a: &DMatrix<f64>, within: &DMatrix<f64>) -> Self {
         let inside = a * within;
-        let (samples, width) = inside.shape();
-        // As many rows as columns at least, so that there is a singular vector for each column.
-        let svd = inside.resize_vertically(samples.max(width), 0.0).svd(true, true);
-        let (u, v) = (svd.u.expect("was asked for"), svd.v_t.expect("was asked for").transpose());
-        let mut order: Vec<usize> = (0..width).collect();
-        order.sort_by(|a, b| svd.singular_values[*b].total_cmp(&svd.singular_values[*a]));
-        let share = |i: usize| svd.singular_values[i] / svd.singular_values[order[0]].max(f64::MIN_POSITIVE);
-        let unclear: Vec<f64> = (0..width).map(share).filter(|s| (VANISHES..COUNTS).contains(s)).collect();
+        let (left, v) = orthogonal(inside.clone());
+        let sizes: Vec<f64> = left.column_iter().map(|c| c.norm()).collect();
+        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let share = |i: &usize| sizes[*i] / largest;
+        let unclear: Vec<f64> = (0..sizes.len()).map(|i| share(&i)).filter(|s| (VANISHES..COUNTS).contains(s)).collect();
         assert!(unclear.is_empty(), "neither zero nor not: {unclear:?}");
-        let rank = order.iter().filter(|i| share(**i) >= COUNTS).count();
-        let (seen, unseen) = order.split_at(rank);
-        let mut scaled = u.select_columns(seen).rows(0, samples).transpose();
-        scaled.row_iter_mut().zip(seen).for_each(|(mut row, i)| row /= svd.singular_values[*i]);
+        let (seen, unseen): (Vec<usize>, Vec<usize>) = (0..sizes.len()).partition(|i| share(i) >= COUNTS);
+        let mut scaled = v.select_columns(&seen);
+        scaled.column_iter_mut().zip(&seen).for_each(|(mut column, i)| column /= sizes[*i] * sizes[*i]);
         Self {
-            inverse: within * v.select_columns(seen) * scaled,
-            null: within * v.select_columns(unseen),
-            rank,
-            condition: seen.last().map_or(1.0, |last| share(*last).recip()),
+            inverse: within * scaled * left.select_columns(&seen).transpose(),
+            null: within * v.select_columns(&unseen),
+            rank: seen.len(),
+            condition: seen.iter().map(share).fold(1.0, f64::min).recip(),
             within: within.clone(),
         }
     }
@@ -57,20 +52,46 @@ impl Space {
     }
 }
 
-/// Lengths of the columns, 1 for those that are zero.
-pub fn scales(a: &DMatrix<f64>) -> DVector<f64> {
-    DVector::from_iterator(a.ncols(), a.column_iter().map(|c| Some(c.norm()).filter(|n| *n > 0.0).unwrap_or(1.0)))
+/// `A V` with columns square to each other, and the orthogonal V, by Jacobi's rotations of pairs of columns.
+fn orthogonal(a: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
+    let width = a.ncols();
+    if a.nrows() > width {
+        let (q, r) = a.qr().unpack();
+        let (left, v) = orthogonal(r);
+        return (q * left, v);
+    }
+    let (mut a, mut v) = (a, DMatrix::identity(width, width));
+    let floor = (f64::EPSILON * a.norm()).powi(2);
+    let mut turning = true;
+    while turning {
+        turning = false;
+        for i in 0..width {
+            for j in i + 1..width {
+                let (p, q, both) = (a.column(i).norm_squared(), a.column(j).norm_squared(), a.column(i).dot(&a.column(j)));
+                if both.abs() <= 4.0 * f64::EPSILON * (p * q).sqrt() + floor {
+                    continue;
+                }
+                turning = true;
+                let zeta = (q - p) / (2.0 * both);
+                let tangent = zeta.signum() / (zeta.abs() + (1.0 + zeta * zeta).sqrt());
+                let cosine = (1.0 + tangent * tangent).sqrt().recip();
+                for m in [&mut a, &mut v] {
+                    let (x, y) = (m.column(i).into_owned(), m.column(j).into_owned());
+                    m.set_column(i, &((&x - &y * tangent) * cosine));
+                    m.set_column(j, &((x * tangent + y) * cosine));
+                }
+            }
+        }
+    }
+    (a, v)
 }
 
-/// All x for which `conditions · x = 0`, in units of `1 / scales`.
-pub fn satisfying(conditions: &DMatrix<f64>, scales: &DVector<f64>) -> DMatrix<f64> {
-    let units = DMatrix::from_diagonal(&scales.map(f64::recip));
-    let mut scaled = conditions * &units;
-    scaled.row_iter_mut().for_each(|mut row| {
-        row.normalize_mut();
-    });
-    let null = Space::new(&scaled, &DMatrix::identity(scales.len(), scales.len())).null;
-    units * null.map(|v| if v.abs() < VANISHES { 0.0 } else { v })
+/// The columns of `within` in units of what A makes of them.
+pub fn in_units(a: &DMatrix<f64>, mut within: DMatrix<f64>) -> DMatrix<f64> {
+    let made = a * &within;
+    let used = within.column_iter_mut().zip(made.column_iter()).filter(|(_, made)| made.norm() > 0.0);
+    used.for_each(|(mut column, made)| column /= made.norm());
+    within
 }
 
 /// The columns that no earlier one makes up.
