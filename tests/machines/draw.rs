@@ -40,12 +40,15 @@ fn attempt(random: &mut impl Rng) -> Option<Machine> {
     let own = frame(random);
     let mut sides = [Vec::new(), Vec::new()];
     // Linear axes next to the base follow what the rest does; one between rotary axes is moved by the run.
-    for (name, direction) in ["X", "Y", "Z"].into_iter().zip(own).take(random.random_range(0..=3)) {
-        sides[random.random_range(0..2)].push(axis(name, false, direction, random));
+    // Three follow paths so manifold that cubes of them take the derivation seconds.
+    let linear = random.random_range(0..=3);
+    let travels = if linear == 3 { &OF_TRAVELS[..3] } else { &OF_TRAVELS };
+    for (name, direction) in ["X", "Y", "Z"].into_iter().zip(own).take(linear) {
+        sides[random.random_range(0..2)].push(axis(name, travels, direction, random));
     }
     for name in ["A", "B", "C"].into_iter().take(random.random_range(1..=3)) {
         let direction = if random.random_bool(0.6) { *own.choose(random)? } else { frame(random)[0] };
-        sides[random.random_range(0..2)].push(axis(name, true, direction, random));
+        sides[random.random_range(0..2)].push(axis(name, &OF_ANGLES, direction, random));
     }
     for side in &mut sides {
         if random.random_bool(0.15) && side.len() > 1 && !side[0].rotary {
@@ -64,8 +67,8 @@ fn attempt(random: &mut impl Rng) -> Option<Machine> {
     (found && !machine.runs.is_empty()).then(|| assume(machine, random))
 }
 
-fn axis(name: &'static str, rotary: bool, direction: Direction, random: &mut impl Rng) -> Axis {
-    let listed: &[Function] = if rotary { &OF_ANGLES } else { &OF_TRAVELS };
+fn axis(name: &'static str, listed: &'static [Function], direction: Direction, random: &mut impl Rng) -> Axis {
+    let rotary = "ABC".contains(name);
     let motion: [&Function; 6] = from_fn(|_| match random.random_range(0..20) {
         0 => &KNOWN,
         1..9 => &ZERO,
@@ -87,7 +90,8 @@ fn run(machine: &Machine, own: &[Direction; 3], random: &mut impl Rng) -> Option
     for (i, _) in &outer {
         at[*i] = Place::Travelled(Wave::default());
     }
-    let stands = at[tool_at..].iter().zip(tool).all(|(p, a)| !a.rotary || matches!(p, Place::Rest | Place::Turned(0, 0)));
+    let stands =
+        at[tool_at..].iter().zip(tool).all(|(p, a)| !a.rotary || matches!(p, Place::Rest | Place::Turned(0, 0)));
     let at_workpiece = ball(machine, own, random);
     let mut at_tool = if stands { Waves::default() } else { ball(machine, own, random) };
     let there = carried(workpiece, &at[..tool_at], &at_workpiece);
@@ -172,10 +176,11 @@ fn assume(mut machine: Machine, random: &mut impl Rng) -> Machine {
         let coefficients: Vec<String> = (0..6).flat_map(|c| axis.coefficients(c)).collect();
         let names: Vec<String> = located.chain(coefficients.iter().cloned()).collect();
         match random.random_range(0..12) {
-            0 => assumed.extend(names.choose(random).map(|name| Assumed {
-                line: format!("{name} = \"0\""),
-                terms: vec![(name.clone(), Ratio::ONE)],
-            })),
+            0 => assumed.extend(
+                names
+                    .choose(random)
+                    .map(|name| Assumed { line: format!("{name} = \"0\""), terms: vec![(name.clone(), Ratio::ONE)] }),
+            ),
             1 if coefficients.len() > 1 => {
                 let factor = Ratio::new(random.random_range(1..4), random.random_range(-3..0));
                 let mut pair = coefficients.clone();

@@ -60,7 +60,8 @@ impl Solved {
         let off = (self.values(of) - values).component_div(&unit).amax();
         assert!(off <= DIGITS * self.condition * size, "values: {off:e} of {size:e}, condition {}", self.condition);
         let expected = self.covariance(of, variance);
-        let scale = if let Variance::Known(std) = variance { std * std } else { self.variance[0].max(self.variance[1]) };
+        let scale =
+            if let Variance::Known(std) = variance { std * std } else { self.variance[0].max(self.variance[1]) };
         let off = DMatrix::from_fn(of.nrows(), of.nrows(), |i, j| {
             (expected[(i, j)] - covariance[(i, j)]).abs() / (unit[i] * unit[j])
         });

@@ -79,7 +79,8 @@ impl Machine {
     }
 
     pub fn text(&self) -> String {
-        let list = |texts: &[String]| format!("[{}]", texts.iter().map(|t| format!("{t:?}")).collect::<Vec<_>>().join(", "));
+        let list =
+            |texts: &[String]| format!("[{}]", texts.iter().map(|t| format!("{t:?}")).collect::<Vec<_>>().join(", "));
         let names = |axes: &[Axis]| list(&axes.iter().map(|a| a.name.to_owned()).collect::<Vec<_>>());
         let estimated: Vec<String> = self.axes().flat_map(|a| a.components(|c| a.estimated[c])).collect();
         let constants = LENGTHS.map(|(name, _)| name.to_owned());
@@ -102,10 +103,13 @@ impl Machine {
             format!("{{ at = {}{setup} }}", list(&ball.at.each_ref().map(Wave::to_string)))
         };
         for (n, run) in self.runs.iter().enumerate() {
-            let at: Vec<String> = self.axes().zip(&run.at).map(|(a, p)| format!("{} = \"{}\"", a.name, p.text())).collect();
+            let at: Vec<String> =
+                self.axes().zip(&run.at).map(|(a, p)| format!("{} = \"{}\"", a.name, p.text())).collect();
             let reading = match &run.reading {
                 Reading::Bar => format!("{:?}", LENGTHS[0].0),
-                Reading::Probe(along) => format!("{{ displacement = {} }}", list(&along.each_ref().map(Wave::to_string))),
+                Reading::Probe(along) => {
+                    format!("{{ displacement = {} }}", list(&along.each_ref().map(Wave::to_string)))
+                }
             };
             text += &format!(
                 "[run.run{n}]\nsweep = \"t\"\nat = {{ {} }}\nworkpiece_ball = {}\ntool_ball = {}\nreading = {reading}\n",
@@ -233,11 +237,10 @@ pub static OF_ANGLES: [Function; 7] = [
     },
 ];
 
-/// Of linear axes.
+/// Of linear axes, the cubic ones last.
 pub static OF_TRAVELS: [Function; 5] = [
     Function { text: "{ polynomial = 1 }", suffixes: &["1"], at: |x| vec![x] },
     Function { text: "{ polynomial = 2 }", suffixes: &["1", "2"], at: |x| vec![x, x * x] },
-    Function { text: "{ polynomial = 3 }", suffixes: &["1", "2", "3"], at: |x| vec![x, x * x, x * x * x] },
     Function {
         text: "{ polynomial = 2, conditions = [\"f(L) = 0\"] }",
         suffixes: &["1", "2"],
@@ -248,4 +251,5 @@ pub static OF_TRAVELS: [Function; 5] = [
         suffixes: &["1", "2"],
         at: |x| vec![x * x * x, x * x],
     },
+    Function { text: "{ polynomial = 3 }", suffixes: &["1", "2", "3"], at: |x| vec![x, x * x, x * x * x] },
 ];

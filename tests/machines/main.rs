@@ -44,9 +44,7 @@ pub struct Case<'a> {
 impl<'a> Case<'a> {
     fn new(machine: &'a Machine, text: &str, random: &mut ChaCha8Rng) -> Self {
         let reference = Reference::new(machine);
-        let start = std::time::Instant::now();
         let setup = Setup::from_description(text, &wave::LENGTHS).expect("the drawn machine is derived");
-        eprintln!("deriving {:?}", start.elapsed());
         let sweeps: Vec<Vec<f64>> =
             machine.runs.iter().map(|_| (0..SAMPLES).map(|_| random.random_range(-4.0..10.0)).collect()).collect();
         let rows = |left_out: &dyn Fn(usize, &str) -> bool| -> Vec<Vec<Linear>> {
@@ -103,19 +101,14 @@ impl Drop for Shown {
 
 #[test]
 fn drawn_machines_are_what_dual_numbers_say() {
-    let range: Vec<u64> = std::env::var("SEEDS").map_or((0..MACHINES).collect(), |t| { let (a,b)=t.split_once(":").unwrap(); (a.parse().unwrap()..b.parse().unwrap()).collect() });
-    range.into_par_iter().for_each(|seed| {let _ = std::panic::catch_unwind(|| {
+    (0..MACHINES).into_par_iter().for_each(|seed| {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let machine = draw::draw(&mut random);
         let shown = Shown(seed, machine.text());
-        if std::env::var("SHOW").is_ok() { eprintln!("{}", shown.1); }
-        let start = std::time::Instant::now();
         let case = Case::new(&machine, &shown.1, &mut random);
-        eprintln!("{seed} derived {:?} rank {} of {} cond {:e}", start.elapsed(), case.space.rank, case.reference.width(), case.space.condition);
         told::readings(&case);
         told::rank(&case);
         told::functions(&case);
-        let start2 = std::time::Instant::now();
         estimates::check(&case, &mut random);
- eprintln!("{seed} all {:?} of which fits {:?}", start.elapsed(), start2.elapsed());    });});
+    });
 }

@@ -137,9 +137,8 @@ impl<'a> Reference<'a> {
             });
             for (k, axis) in machine.sides[side].iter().enumerate().rev() {
                 let i = first + k;
-                let seed = |of: fn(usize, usize) -> Error| {
-                    Transform::small(from_fn(|c| seeded(0.0, error == of(i, c))))
-                };
+                let seed =
+                    |of: fn(usize, usize) -> Error| Transform::small(from_fn(|c| seeded(0.0, error == of(i, c))));
                 let nominal = nominal(axis, run.at[i].coordinate(sweep));
                 let (motion, location) = (seed(Error::Motion), seed(Error::Location));
                 let moved = if axis.rotary { [&nominal, &motion] } else { [&motion, &nominal] };

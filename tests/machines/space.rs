@@ -29,7 +29,8 @@ impl Space {
         let sizes: Vec<f64> = left.column_iter().map(|c| c.norm()).collect();
         let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let share = |i: &usize| sizes[*i] / largest;
-        let unclear: Vec<f64> = (0..sizes.len()).map(|i| share(&i)).filter(|s| (VANISHES..COUNTS).contains(s)).collect();
+        let unclear: Vec<f64> =
+            (0..sizes.len()).map(|i| share(&i)).filter(|s| (VANISHES..COUNTS).contains(s)).collect();
         assert!(unclear.is_empty(), "neither zero nor not: {unclear:?}");
         let (seen, unseen): (Vec<usize>, Vec<usize>) = (0..sizes.len()).partition(|i| share(i) >= COUNTS);
         let mut scaled = v.select_columns(&seen);
@@ -67,7 +68,8 @@ fn orthogonal(a: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
         turning = false;
         for i in 0..width {
             for j in i + 1..width {
-                let (p, q, both) = (a.column(i).norm_squared(), a.column(j).norm_squared(), a.column(i).dot(&a.column(j)));
+                let (p, q, both) =
+                    (a.column(i).norm_squared(), a.column(j).norm_squared(), a.column(i).dot(&a.column(j)));
                 if both.abs() <= 4.0 * f64::EPSILON * (p * q).sqrt() + floor {
                     continue;
                 }

@@ -75,7 +75,8 @@ impl Wave {
     pub fn turn(multiple: i32, quarters: i32) -> [Self; 2] {
         [0, -1].map(|lag| {
             let mut wave = Self::default();
-            let (sine, sign) = [(false, 1), (true, -1), (false, -1), (true, 1)][(quarters + lag).rem_euclid(4) as usize];
+            let (sine, sign) =
+                [(false, 1), (true, -1), (false, -1), (true, 1)][(quarters + lag).rem_euclid(4) as usize];
             wave.add((NUMBER, multiple, sine), Ratio::new(sign, 1));
             wave
         })

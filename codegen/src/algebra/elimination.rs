@@ -5,7 +5,7 @@
 
 use super::fraction::{by_root2, conjugate, lowest};
 use super::gcd::{exact, gcd};
-use super::{AlgebraError, Alphabet, Fraction, Monomial, Order, Poly, rational};
+use super::{AlgebraError, Alphabet, Fraction, Monomial, Order, Poly, Rational, rational};
 use typed_index_collections::{TiSlice, TiVec};
 
 /// A row of a matrix, or a vector with an entry for each of its columns `C`.
@@ -51,25 +51,40 @@ where
         done.push((column, pivot));
     }
     let over = |(column, row): (C, TiVec<C, Poly>)| {
-        let entry = |p: &Poly| if p.is_zero() { Ok(Fraction::zero()) } else { Fraction::new(p.clone(), row[column].clone(), alphabet) };
+        let entry = |p: &Poly| {
+            if p.is_zero() { Ok(Fraction::zero()) } else { Fraction::new(p.clone(), row[column].clone(), alphabet) }
+        };
         Ok((column, row.iter().map(entry).collect::<Result<_, AlgebraError>>()?))
     };
     Ok(Reduced { rows: done.into_iter().map(over).collect::<Result<_, AlgebraError>>()? })
 }
 
-/// The multiple of a row without denominators.
+/// The multiple of a row without denominators: first without those of its numbers, then without those of several terms.
 fn whole<C>(row: &Row<C>) -> Result<TiVec<C, Poly>, AlgebraError> {
-    let mut below = Poly::one();
-    for d in row.iter().filter_map(Fraction::denominator) {
-        below = below.times(&exact(d, &gcd(&below, d)?)?, Order::NOMINAL)?;
-    }
-    let over = |f: &Fraction| match f.denominator() {
-        None => f.numerator().times(&below, Order::NOMINAL),
-        Some(d) => f.numerator().times(&exact(&below, d)?, Order::NOMINAL),
+    let apart = |f: &Fraction| match f.denominator() {
+        None => Ok((f.numerator().clone(), Poly::one())),
+        Some(d) => {
+            let number = content([d]);
+            Ok((f.numerator().over(Monomial::ONE, &number)?, d.over(Monomial::ONE, &number)?))
+        }
     };
-    let mut row = row.iter().map(over).collect::<Result<TiVec<C, Poly>, _>>()?;
+    let parts = row.iter().map(apart).collect::<Result<Vec<(Poly, Poly)>, AlgebraError>>()?;
+    let number = content(parts.iter().map(|(above, _)| above));
+    let mut common = Poly::one();
+    for (_, below) in parts.iter().filter(|(_, below)| below.terms().len() > 1) {
+        common = common.times(&exact(below, &gcd(&common, below)?)?, Order::NOMINAL)?;
+    }
+    let over = |(above, below): &(Poly, Poly)| {
+        above.over(Monomial::ONE, &number)?.times(&exact(&common, below)?, Order::NOMINAL)
+    };
+    let mut row = parts.iter().map(over).collect::<Result<TiVec<C, Poly>, _>>()?;
     make_primitive(&mut row)?;
     Ok(row)
+}
+
+/// What the numbers of polynomials have in common.
+fn content<'a>(polys: impl IntoIterator<Item = &'a Poly>) -> Rational {
+    rational::content(polys.into_iter().flat_map(Poly::terms).map(|(_, c)| c))
 }
 
 /// Makes `row[column]` zero: `(p·row − f·pivot) / gcd(p, f)`; p has no √2.
@@ -80,6 +95,8 @@ where
 {
     let common = common(pivot[column].clone(), &row[column])?;
     let (p, f) = (exact(&pivot[column], &common)?, over(&row[column], &common)?);
+    let number = content([&p, &f]);
+    let (p, f) = (p.over(Monomial::ONE, &number)?, f.over(Monomial::ONE, &number)?);
     for (r, own) in row.iter_mut().zip(pivot) {
         *r = r.times(&p, Order::NOMINAL)?;
         if !own.is_zero() {
@@ -93,7 +110,7 @@ where
 fn make_primitive<C>(row: &mut TiVec<C, Poly>) -> Result<(), AlgebraError> {
     let present = || row.iter().filter(|p| !p.is_zero());
     let Some(low) = present().map(lowest).reduce(|a, b| a.lower(&b)) else { return Ok(()) };
-    let number = rational::content(present().flat_map(|p| p.terms()).map(|(_, c)| c));
+    let number = content(present());
     if low != Monomial::ONE || !number.is_one() {
         for p in row.iter_mut() {
             *p = p.over(low, &number)?;
@@ -126,7 +143,8 @@ fn common(mut divisor: Poly, p: &Poly) -> Result<Poly, AlgebraError> {
 fn over(p: &Poly, divisor: &Poly) -> Result<Poly, AlgebraError> {
     let mut quotient = Poly::ZERO;
     for (root, part) in by_root2(p) {
-        quotient = quotient.plus(&exact(&part, divisor)?.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?)?;
+        quotient =
+            quotient.plus(&exact(&part, divisor)?.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?)?;
     }
     Ok(quotient)
 }

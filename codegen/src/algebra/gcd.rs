@@ -18,7 +18,9 @@ pub(super) fn divide(a: &Poly, b: &Poly) -> Result<Option<Poly>, AlgebraError> {
     let inverse = lead.recip()?;
     let (mut rest, mut quotient) = (a.clone(), Vec::new());
     while let Some((m, c)) = rest.terms().last() {
-        let Some(monomial) = m.times(&inverse, 0)?.filter(|m| m.powers().iter().all(|p| *p >= 0)) else { return Ok(None) };
+        let Some(monomial) = m.times(&inverse, 0)?.filter(|m| m.powers().iter().all(|p| *p >= 0)) else {
+            return Ok(None);
+        };
         let step = Poly::term(monomial, c.over(coefficient)?);
         rest = rest.minus(&step.times(b, Order::NOMINAL)?)?;
         quotient.extend_from_slice(step.terms());
@@ -31,19 +33,21 @@ pub(super) fn exact(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
     Ok(divide(a, b)?.unwrap_or_else(|| a.clone()))
 }
 
-/// The greatest common divisor, up to a rational factor.
+/// The greatest common divisor with coprime whole coefficients, so that what is divided by it stays whole.
 ///
 /// Its images modulo primes are put together until they no longer change; what then divides both polynomials is it, since no
 /// image is of lower degree.
 pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
     if a.is_zero() || b.is_zero() || a == b {
-        return Ok(if a.is_zero() { b.clone() } else { a.clone() });
+        return primitive(if a.is_zero() { b } else { a });
     }
     let scale = Scale::of(a, b);
     let mut lifted: Option<(Lifted, [Poly; 2])> = None;
     for field in primes() {
         let (whole_a, whole_b) = lifted.as_ref().map_or((a, b), |(_, [a, b])| (a, b));
-        let (Some(x), Some(y)) = (image(whole_a, scale.unit, field), image(whole_b, scale.unit, field)) else { continue };
+        let (Some(x), Some(y)) = (image(whole_a, scale.unit, field), image(whole_b, scale.unit, field)) else {
+            continue;
+        };
         let common = field.gcd(&x, &y);
         let lead = common.keys().next_back();
         match &mut lifted {
@@ -56,8 +60,8 @@ pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
                     }
                 }
             }
-            None if lead == y.keys().next_back() && divide(a, b)?.is_some() => return Ok(b.clone()),
-            None if lead == x.keys().next_back() && divide(b, a)?.is_some() => return Ok(a.clone()),
+            None if lead == y.keys().next_back() && divide(a, b)?.is_some() => return primitive(b),
+            None if lead == x.keys().next_back() && divide(b, a)?.is_some() => return primitive(a),
             None => {
                 let whole = [primitive(a)?, primitive(b)?];
                 let mut first = Lifted::new(&whole);
@@ -128,7 +132,8 @@ fn image(p: &Poly, one: Option<NominalId>, field: Field) -> Option<Image> {
 
 /// With coprime whole coefficients.
 fn primitive(p: &Poly) -> Result<Poly, AlgebraError> {
-    p.over(Monomial::ONE, &rational::content(p.terms().iter().map(|(_, c)| c)))
+    let content = rational::content(p.terms().iter().map(|(_, c)| c));
+    if content.is_one() { Ok(p.clone()) } else { p.over(Monomial::ONE, &content) }
 }
 
 /// A polynomial with whole coefficients by its residues modulo a growing product of primes, each of the least size.

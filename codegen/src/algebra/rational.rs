@@ -272,7 +272,10 @@ pub(super) fn content<'a>(numbers: impl Iterator<Item = &'a Rational>) -> Ration
     // Nearly always there is nothing to be found, and a remainder says so at once.
     let step = |(n, d): (BigInt, BigInt), r: &Rational| {
         let (numer, denom) = (r.numer(), r.denom());
-        (if numer.is_multiple_of(&n) { n } else { n.gcd(&numer) }, if d.is_multiple_of(&denom) { d } else { d.lcm(&denom) })
+        (
+            if numer.is_multiple_of(&n) { n } else { n.gcd(&numer) },
+            if d.is_multiple_of(&denom) { d } else { d.lcm(&denom) },
+        )
     };
     let (n, d) = numbers.fold((BigInt::zero(), BigInt::one()), step);
     if n.is_zero() { Rational::ONE } else { Rational::from_big(BigRational::new(n, d)) }
