@@ -56,7 +56,7 @@ fn attempt(random: &mut impl Rng) -> Option<Machine> {
         }
     }
     let mut machine = Machine { sides, runs: Vec::new(), assumed: Vec::new() };
-    let runs = random.random_range(1..=4);
+    let runs = random.random_range(1..=3);
     for _ in 0..60 {
         if machine.runs.len() < runs {
             let next = run(&machine, &own, random);

@@ -21,8 +21,8 @@ use trunnion::Setup;
 use trunnion_codegen::basis::Coordinate;
 use trunnion_codegen::ids::{AxisId, ParameterId, RunId};
 
-const MACHINES: u64 = 240;
-const SAMPLES: usize = 80;
+const MACHINES: u64 = 200;
+const SAMPLES: usize = 72;
 
 /// A drawn machine as the public API derives it, beside its reference.
 pub struct Case<'a> {

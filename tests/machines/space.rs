@@ -26,6 +26,8 @@ impl Space {
     pub fn new(a: &DMatrix<f64>, within: &DMatrix<f64>) -> Self {
         let inside = a * within;
         let (left, v) = orthogonal(inside.clone());
+        let rest = (&left * v.transpose() - &inside).amax();
+        assert!(rest <= VANISHES * inside.amax(), "not decomposed: {rest:e}");
         let sizes: Vec<f64> = left.column_iter().map(|c| c.norm()).collect();
         let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let share = |i: &usize| sizes[*i] / largest;
@@ -53,11 +55,29 @@ impl Space {
     }
 }
 
+/// `A = Q R` by Gram and Schmidt, twice for the last digits; where a column adds nothing Q has none. (That of nalgebra 0.35
+/// is another matrix where columns depend on each other.)
+fn triangular(a: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
+    let (mut q, mut r) = (a.clone(), DMatrix::zeros(a.ncols(), a.ncols()));
+    for j in 0..a.ncols() {
+        let mut rest = a.column(j).into_owned();
+        for i in (0..j).chain(0..j) {
+            let share = q.column(i).dot(&rest);
+            rest.axpy(-share, &q.column(i), 1.0);
+            r[(i, j)] += share;
+        }
+        let adds = rest.norm() > 1e-14 * a.column(j).norm();
+        r[(j, j)] = if adds { rest.norm() } else { 0.0 };
+        q.set_column(j, &if adds { rest.normalize() } else { rest * 0.0 });
+    }
+    (q, r)
+}
+
 /// `A V` with columns square to each other, and the orthogonal V, by Jacobi's rotations of pairs of columns.
 fn orthogonal(a: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
     let width = a.ncols();
     if a.nrows() > width {
-        let (q, r) = a.qr().unpack();
+        let (q, r) = triangular(&a);
         let (left, v) = orthogonal(r);
         return (q * left, v);
     }
