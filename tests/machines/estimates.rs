@@ -11,8 +11,8 @@ use trunnion_codegen::ids::{BaseId, RunId};
 
 /// Half width of the noise, mm.
 const NOISE: f64 = 1e-3;
-/// What rounding may do, times the condition.
-const DIGITS: f64 = 1e-11;
+/// What rounding in a row, of factors that cancel, may do to an estimate: times the condition.
+const DIGITS: f64 = 1e-9;
 
 /// Estimates of all parameters per weighted reading of the first step's runs and of the second's; a joint one has no second.
 struct Solved {
