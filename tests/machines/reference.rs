@@ -46,13 +46,13 @@ impl<'a> Reference<'a> {
                 names.extend(axis.coefficients(c));
             }
         }
-        for side in 0..2 {
+        for (side, prefix) in SIDES.into_iter().enumerate() {
             let mut setups: Vec<usize> = machine.runs.iter().filter_map(|r| r.balls[side].setup).collect();
             setups.sort_unstable();
             setups.dedup();
             for setup in setups {
                 errors.extend((0..3).map(|c| Error::Setup(side, setup, c)));
-                names.extend(setup_names(SIDES[side], setup));
+                names.extend(setup_names(prefix, setup));
             }
         }
         let names = names.into_iter().enumerate().map(|(at, name)| (name, at)).collect();
