@@ -1,6 +1,11 @@
 //! Exact Gauss–Jordan elimination over the field of [`Fraction`]s.
+//!
+//! A row stands for all its multiples until it is done: as polynomials with nothing in common. So no step works on fractions,
+//! whose every sum would be searched for common divisors.
 
-use super::{AlgebraError, Alphabet, Fraction};
+use super::fraction::{by_root2, conjugate, lowest};
+use super::gcd::{exact, gcd};
+use super::{AlgebraError, Alphabet, Fraction, Monomial, Order, Poly, Rational, rational};
 use typed_index_collections::{TiSlice, TiVec};
 
 /// A row of a matrix, or a vector with an entry for each of its columns `C`.
@@ -15,7 +20,7 @@ pub struct Reduced<C: From<usize>> {
 
 /// Reduces `rows`; a column listed earlier in `order` is preferred as pivot, one not listed is never a pivot.
 pub fn reduce<C>(
-    mut rows: Vec<Row<C>>,
+    rows: Vec<Row<C>>,
     order: impl IntoIterator<Item = C>,
     alphabet: &Alphabet,
 ) -> Result<Reduced<C>, AlgebraError>
@@ -23,22 +28,125 @@ where
     C: Copy + PartialEq + From<usize>,
     usize: From<C>,
 {
-    let mut done: Vec<(C, Row<C>)> = Vec::new();
+    let mut rows = rows.iter().map(whole).collect::<Result<Vec<_>, _>>()?;
+    let mut done: Vec<(C, TiVec<C, Poly>)> = Vec::new();
     for column in order {
-        let sparsest = |row: &&Row<C>| row.iter().filter(|f| !f.is_zero()).count();
+        let size = |row: &TiVec<C, Poly>| {
+            let terms = row.iter().map(|p| p.terms().len());
+            (terms.clone().filter(|n| *n > 0).count(), terms.sum::<usize>())
+        };
         let candidates = rows.iter().enumerate().filter(|(_, row)| !row[column].is_zero());
-        let Some(at) = candidates.min_by_key(|(_, row)| sparsest(row)).map(|(i, _)| i) else { continue };
+        let Some(at) = candidates.min_by_key(|(_, row)| size(row)).map(|(i, _)| i) else { continue };
         let mut pivot = rows.swap_remove(at);
-        let inverse = pivot[column].recip(alphabet)?;
-        for f in &mut pivot {
-            *f = f.times(&inverse, alphabet)?;
+        if pivot[column].has_root2() {
+            let conjugate = conjugate(&pivot[column])?;
+            for p in &mut pivot {
+                *p = p.times(&conjugate, Order::NOMINAL)?.normal_root2()?;
+            }
+            make_primitive(&mut pivot)?;
         }
-        for row in rows.iter_mut().chain(done.iter_mut().map(|(_, row)| row)) {
-            subtract(row, &pivot, column, alphabet)?;
+        for row in rows.iter_mut().chain(done.iter_mut().map(|(_, row)| row)).filter(|row| !row[column].is_zero()) {
+            eliminate(row, &pivot, column)?;
         }
         done.push((column, pivot));
     }
-    Ok(Reduced { rows: done })
+    let over = |(column, row): (C, TiVec<C, Poly>)| {
+        let entry = |p: &Poly| {
+            if p.is_zero() { Ok(Fraction::zero()) } else { Fraction::new(p.clone(), row[column].clone(), alphabet) }
+        };
+        Ok((column, row.iter().map(entry).collect::<Result<_, AlgebraError>>()?))
+    };
+    Ok(Reduced { rows: done.into_iter().map(over).collect::<Result<_, AlgebraError>>()? })
+}
+
+/// The multiple of a row without denominators: first without those of its numbers, then without those of several terms.
+fn whole<C>(row: &Row<C>) -> Result<TiVec<C, Poly>, AlgebraError> {
+    let apart = |f: &Fraction| match f.denominator() {
+        None => Ok((f.numerator().clone(), Poly::one())),
+        Some(d) => {
+            let number = content([d]);
+            Ok((f.numerator().over(Monomial::ONE, &number)?, d.over(Monomial::ONE, &number)?))
+        }
+    };
+    let parts = row.iter().map(apart).collect::<Result<Vec<(Poly, Poly)>, AlgebraError>>()?;
+    let number = content(parts.iter().map(|(above, _)| above));
+    let mut common = Poly::one();
+    for (_, below) in parts.iter().filter(|(_, below)| below.terms().len() > 1) {
+        common = common.times(&exact(below, &gcd(&common, below)?)?, Order::NOMINAL)?;
+    }
+    let over = |(above, below): &(Poly, Poly)| {
+        above.over(Monomial::ONE, &number)?.times(&exact(&common, below)?, Order::NOMINAL)
+    };
+    let mut row = parts.iter().map(over).collect::<Result<TiVec<C, Poly>, _>>()?;
+    make_primitive(&mut row)?;
+    Ok(row)
+}
+
+/// What the numbers of polynomials have in common.
+fn content<'a>(polys: impl IntoIterator<Item = &'a Poly>) -> Rational {
+    rational::content(polys.into_iter().flat_map(Poly::terms).map(|(_, c)| c))
+}
+
+/// Makes `row[column]` zero: `(p·row − f·pivot) / gcd(p, f)`; p has no √2.
+fn eliminate<C>(row: &mut TiVec<C, Poly>, pivot: &TiVec<C, Poly>, column: C) -> Result<(), AlgebraError>
+where
+    C: Copy + From<usize>,
+    usize: From<C>,
+{
+    let common = common(pivot[column].clone(), &row[column])?;
+    let (p, f) = (exact(&pivot[column], &common)?, over(&row[column], &common)?);
+    let number = content([&p, &f]);
+    let (p, f) = (p.over(Monomial::ONE, &number)?, f.over(Monomial::ONE, &number)?);
+    for (r, own) in row.iter_mut().zip(pivot) {
+        *r = r.times(&p, Order::NOMINAL)?;
+        if !own.is_zero() {
+            *r = r.minus(&own.times(&f, Order::NOMINAL)?)?.normal_root2()?;
+        }
+    }
+    make_primitive(row)
+}
+
+/// Divides a row by all that its entries have in common: numbers, powers of constants, polynomials.
+fn make_primitive<C>(row: &mut TiVec<C, Poly>) -> Result<(), AlgebraError> {
+    let present = || row.iter().filter(|p| !p.is_zero());
+    let Some(low) = present().map(lowest).reduce(|a, b| a.lower(&b)) else { return Ok(()) };
+    let number = content(present());
+    if low != Monomial::ONE || !number.is_one() {
+        for p in row.iter_mut() {
+            *p = p.over(low, &number)?;
+        }
+    }
+    let mut by_size: Vec<&Poly> = row.iter().filter(|p| !p.is_zero()).collect();
+    by_size.sort_by_key(|p| p.terms().len());
+    let mut divisor = Poly::ZERO;
+    for p in by_size {
+        divisor = common(divisor, p)?;
+        if divisor.as_number().is_some() {
+            return Ok(());
+        }
+    }
+    for p in row.iter_mut() {
+        *p = over(p, &divisor)?;
+    }
+    Ok(())
+}
+
+/// What divides a polynomial without √2 and both parts of another.
+fn common(mut divisor: Poly, p: &Poly) -> Result<Poly, AlgebraError> {
+    for (_, part) in by_root2(p) {
+        divisor = gcd(&divisor, &part)?;
+    }
+    Ok(divisor)
+}
+
+/// The quotient by a divisor of both parts.
+fn over(p: &Poly, divisor: &Poly) -> Result<Poly, AlgebraError> {
+    let mut quotient = Poly::ZERO;
+    for (root, part) in by_root2(p) {
+        quotient =
+            quotient.plus(&exact(&part, divisor)?.times(&Poly::term(root, rational::integer(1)), Order::NOMINAL)?)?;
+    }
+    Ok(quotient)
 }
 
 /// Takes `row[column]` times `pivot` from `row` and returns that factor; `pivot[column]` is 1.
@@ -87,7 +195,6 @@ where
 
 #[cfg(test)]
 mod tests {
-    use super::super::Poly;
     use super::*;
 
     #[test]

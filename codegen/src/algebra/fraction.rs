@@ -151,23 +151,20 @@ fn cancelled(numerator: &Poly, denominator: &Poly) -> Result<(Poly, Poly), Algeb
     Ok((reduced, exact(denominator, &common)?))
 }
 
-/// The greatest monomial that divides every term (with negative exponents where a term has them).
-fn lowest(p: &Poly) -> Monomial {
-    let mut terms = p.terms().iter().map(|(m, _)| *m.powers());
-    let first = terms.next().unwrap_or([0; super::MAX_NOMINALS]);
-    let mut powers = terms.fold(first, |low, p| core::array::from_fn(|i| low[i].min(p[i])));
-    powers[usize::from(Alphabet::ROOT2.0)] = 0;
-    Monomial::of_powers(powers)
+/// The greatest monomial without √2 that divides every term (with negative exponents where a term has them).
+pub(super) fn lowest(p: &Poly) -> Monomial {
+    let lowest = p.terms().iter().map(|(m, _)| *m).reduce(|a, b| a.lower(&b));
+    lowest.unwrap_or(Monomial::ONE).with_exponent(Alphabet::ROOT2, 0)
 }
 
 /// `p = p₀ + √2 p₁`
-fn by_root2(p: &Poly) -> Vec<(Monomial, Poly)> {
+pub(super) fn by_root2(p: &Poly) -> Vec<(Monomial, Poly)> {
     let root2 = Alphabet::ROOT2;
     p.group(|m| Monomial::nominal(root2, m.exponent(root2)), |m| m.with_exponent(root2, 0))
 }
 
 /// `p₀ − √2 p₁`
-fn conjugate(p: &Poly) -> Result<Poly, AlgebraError> {
+pub(super) fn conjugate(p: &Poly) -> Result<Poly, AlgebraError> {
     let sign = |m: &Monomial| if m.exponent(Alphabet::ROOT2) == 0 { 1 } else { -1 };
     Poly::from_terms(p.terms().iter().map(|(m, c)| (*m, c * &rational::integer(sign(m)))).collect())
 }

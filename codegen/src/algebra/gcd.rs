@@ -5,7 +5,7 @@
 
 use super::modular::{Field, Image, primes};
 use super::rational;
-use super::{AlgebraError, Monomial, Order, Poly, Powers, Rational};
+use super::{AlgebraError, Alphabet, MAX_NOMINALS, Monomial, NominalId, Order, Poly, Powers, Rational, Term};
 use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -15,13 +15,13 @@ use std::collections::BTreeMap;
 /// `a / b` if it leaves no remainder.
 pub(super) fn divide(a: &Poly, b: &Poly) -> Result<Option<Poly>, AlgebraError> {
     let Some((lead, coefficient)) = b.terms().last() else { return Err(AlgebraError::DivisionByZero) };
-    let inverse = Poly::term(lead.recip()?, coefficient.recip()?);
+    let inverse = lead.recip()?;
     let (mut rest, mut quotient) = (a.clone(), Vec::new());
     while let Some((m, c)) = rest.terms().last() {
-        let step = Poly::term(*m, c.clone()).times(&inverse, Order::NOMINAL)?;
-        if step.terms().iter().any(|(m, _)| m.powers().iter().any(|p| *p < 0)) {
+        let Some(monomial) = m.times(&inverse, 0)?.filter(|m| m.powers().iter().all(|p| *p >= 0)) else {
             return Ok(None);
-        }
+        };
+        let step = Poly::term(monomial, c.over(coefficient)?);
         rest = rest.minus(&step.times(b, Order::NOMINAL)?)?;
         quotient.extend_from_slice(step.terms());
     }
@@ -33,33 +33,35 @@ pub(super) fn exact(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
     Ok(divide(a, b)?.unwrap_or_else(|| a.clone()))
 }
 
-/// The greatest common divisor, up to a rational factor.
+/// The greatest common divisor with coprime whole coefficients, so that what is divided by it stays whole.
 ///
 /// Its images modulo primes are put together until they no longer change; what then divides both polynomials is it, since no
 /// image is of lower degree.
 pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
-    let (Some((lead_a, _)), Some((lead_b, _))) = (a.terms().last(), b.terms().last()) else { return a.plus(b) };
-    if a == b {
-        return Ok(a.clone());
+    if a.is_zero() || b.is_zero() || a == b {
+        return primitive(if a.is_zero() { b } else { a });
     }
+    let scale = Scale::of(a, b);
     let mut lifted: Option<(Lifted, [Poly; 2])> = None;
     for field in primes() {
         let (whole_a, whole_b) = lifted.as_ref().map_or((a, b), |(_, [a, b])| (a, b));
-        let (Some(x), Some(y)) = (image(whole_a, field), image(whole_b, field)) else { continue };
+        let (Some(x), Some(y)) = (image(whole_a, scale.unit, field), image(whole_b, scale.unit, field)) else {
+            continue;
+        };
         let common = field.gcd(&x, &y);
-        let Some(lead) = common.keys().next_back() else { continue };
+        let lead = common.keys().next_back();
         match &mut lifted {
-            _ if *lead == *Monomial::ONE.powers() => return Ok(Poly::one()),
+            _ if lead == Some(Monomial::ONE.powers()) => return scale.restored(Poly::one()),
             Some((lifted, whole)) => {
                 if lifted.add(&common, field) {
-                    let candidate = lifted.poly()?;
+                    let candidate = scale.restored(lifted.poly()?)?;
                     if divide(&whole[0], &candidate)?.is_some() && divide(&whole[1], &candidate)?.is_some() {
                         return Ok(candidate);
                     }
                 }
             }
-            None if lead == lead_b.powers() && divide(a, b)?.is_some() => return Ok(b.clone()),
-            None if lead == lead_a.powers() && divide(b, a)?.is_some() => return Ok(a.clone()),
+            None if lead == y.keys().next_back() && divide(a, b)?.is_some() => return primitive(b),
+            None if lead == x.keys().next_back() && divide(b, a)?.is_some() => return primitive(a),
             None => {
                 let whole = [primitive(a)?, primitive(b)?];
                 let mut first = Lifted::new(&whole);
@@ -71,10 +73,55 @@ pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
     Ok(Poly::one())
 }
 
-/// Modulo a prime; `None` where its leading term vanishes or the prime stands below a line.
-fn image(p: &Poly, field: Field) -> Option<Image> {
+/// Lengths may be counted in one of them where all terms have the same power of lengths, as by their units they do: a symbol less.
+struct Scale {
+    unit: Option<NominalId>,
+    /// The power of that length in the common divisor of all terms.
+    power: i8,
+}
+
+impl Scale {
+    fn of(a: &Poly, b: &Poly) -> Self {
+        let powers = |p: &Poly, id: NominalId| p.terms().iter().map(|(m, _)| m.exponent(id)).min().unwrap_or(0);
+        let homogeneous = |p: &Poly| {
+            let mut degrees = p.terms().iter().map(|(m, _)| degree(m));
+            let first = degrees.next();
+            degrees.all(|d| Some(d) == first)
+        };
+        let present = |id: &NominalId| [a, b].iter().any(|p| p.terms().iter().any(|(m, _)| m.exponent(*id) != 0));
+        // Without the last the terms keep their order.
+        let unit = lengths().filter(present).last().filter(|_| homogeneous(a) && homogeneous(b));
+        Self { unit, power: unit.map_or(0, |id| powers(a, id).min(powers(b, id))) }
+    }
+
+    /// A divisor with the length put in again.
+    fn restored(&self, p: Poly) -> Result<Poly, AlgebraError> {
+        let Some(id) = self.unit else { return Ok(p) };
+        let highest = p.terms().iter().map(|(m, _)| degree(m)).max().unwrap_or(0);
+        let term = |(m, c): &Term| {
+            let power = i8::try_from(highest - degree(m)).ok().and_then(|missing| missing.checked_add(self.power));
+            Ok((m.with_exponent(id, power.ok_or(AlgebraError::ExponentOverflow)?), c.clone()))
+        };
+        Poly::from_terms(p.terms().iter().map(term).collect::<Result<_, AlgebraError>>()?)
+    }
+}
+
+/// All that is neither π nor √2: in a divisor these are lengths.
+fn lengths() -> impl Iterator<Item = NominalId> {
+    let ids = (0..MAX_NOMINALS).map(|i| NominalId(i as u8));
+    ids.filter(|id| ![Alphabet::PI, Alphabet::ROOT2].contains(id))
+}
+
+/// The power of lengths.
+fn degree(m: &Monomial) -> i32 {
+    lengths().map(|id| i32::from(m.exponent(id))).sum()
+}
+
+/// Modulo a prime, a symbol taken as 1; `None` where its leading term vanishes or the prime stands below a line.
+fn image(p: &Poly, one: Option<NominalId>, field: Field) -> Option<Image> {
     let mut image = Image::new();
     for (m, c) in p.terms() {
+        let m = one.map_or(*m, |id| m.with_exponent(id, 0));
         image.insert(*m.powers(), c.residue(field)?);
     }
     (image.values().next_back() != Some(&0)).then(|| {
@@ -85,7 +132,8 @@ fn image(p: &Poly, field: Field) -> Option<Image> {
 
 /// With coprime whole coefficients.
 fn primitive(p: &Poly) -> Result<Poly, AlgebraError> {
-    p.scaled(&rational::content(p.terms().iter().map(|(_, c)| c)).recip()?)
+    let content = rational::content(p.terms().iter().map(|(_, c)| c));
+    if content.is_one() { Ok(p.clone()) } else { p.over(Monomial::ONE, &content) }
 }
 
 /// A polynomial with whole coefficients by its residues modulo a growing product of primes, each of the least size.

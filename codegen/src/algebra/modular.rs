@@ -94,8 +94,8 @@ impl Field {
         a
     }
 
-    /// The greatest common divisor with the leading coefficient 1. That of polynomials over the rationals, neither of which
-    /// loses its leading term here, has no higher leading term.
+    /// The greatest common divisor with the leading coefficient 1, but for bad luck. That of polynomials over the rationals,
+    /// neither of which loses its leading term here, has no higher leading term.
     pub(super) fn gcd(self, a: &Image, b: &Image) -> Image {
         let present = |i: usize| a.keys().chain(b.keys()).any(|powers| powers[i] != 0);
         let symbols: Vec<usize> = (0..MAX_NOMINALS).filter(|i| present(*i)).collect();
@@ -127,8 +127,8 @@ impl Field {
                 return content();
             }
             let scale = self.at(&common, x);
-            found.add(self, x, image.into_iter().map(|(powers, c)| (powers, c * scale % self.0)).collect());
-            if found.points.len() >= needed {
+            let image = image.into_iter().map(|(powers, c)| (powers, c * scale % self.0)).collect();
+            if found.add(self, x, image) || found.points >= needed {
                 break;
             }
         }
@@ -170,34 +170,38 @@ impl Field {
 /// Newton's interpolation of polynomials whose leading terms agree; a lower one shows that those before were too high.
 #[derive(Default)]
 struct Interpolated {
-    points: Vec<u64>,
+    points: usize,
     lines: BTreeMap<Powers, Line>,
     /// Π (x − point)
     vanishing: Line,
 }
 
 impl Interpolated {
-    fn add(&mut self, field: Field, x: u64, image: Image) {
+    /// True where the point changes nothing, as one more than there are to be found does.
+    fn add(&mut self, field: Field, x: u64, image: Image) -> bool {
         let lead = |keys: Option<&Powers>| keys.copied();
         match lead(image.keys().next_back()).cmp(&lead(self.lines.keys().next_back())) {
-            _ if self.points.is_empty() => self.vanishing = vec![1],
+            _ if self.points == 0 => self.vanishing = vec![1],
             core::cmp::Ordering::Less => *self = Self { vanishing: vec![1], ..Self::default() },
             core::cmp::Ordering::Equal => {}
-            core::cmp::Ordering::Greater => return,
+            core::cmp::Ordering::Greater => return false,
         }
         let inverse = field.inverse(field.at(&self.vanishing, x));
+        let mut same = true;
         for powers in image.keys() {
             self.lines.entry(*powers).or_default();
         }
         for (powers, line) in &mut self.lines {
             let missing = field.minus(image.get(powers).copied().unwrap_or(0), field.at(line, x));
             let step = missing * inverse % field.0;
+            same &= step == 0;
             line.resize(line.len().max(self.vanishing.len()), 0);
             line.iter_mut().zip(&self.vanishing).for_each(|(c, v)| *c = (*c + step * v) % field.0);
             trim(line);
         }
         self.vanishing = field.times(&self.vanishing, &[field.minus(0, x), 1]);
-        self.points.push(x);
+        self.points += 1;
+        same
     }
 }
 

@@ -108,6 +108,11 @@ impl Monomial {
         powers.map(|(i, &p)| nominal(NominalId(i as u8)).powi(i32::from(p))).product()
     }
 
+    /// The greatest product of nominal powers that divides both.
+    pub(super) fn lower(&self, other: &Self) -> Self {
+        Self::of_powers(core::array::from_fn(|i| self.powers[i].min(other.powers[i])))
+    }
+
     /// The inverse of the nominal part; only for a monomial without errors.
     pub fn recip(&self) -> Result<Self, AlgebraError> {
         let mut powers = self.powers;

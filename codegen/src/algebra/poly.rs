@@ -153,6 +153,14 @@ impl Poly {
         Ok(Self { terms: self.terms.iter().map(|(m, c)| (*m, c * factor)).collect() })
     }
 
+    /// Quotient by a single term.
+    pub(super) fn over(&self, monomial: Monomial, number: &Rational) -> Result<Self, AlgebraError> {
+        let inverse = monomial.recip()?;
+        let over = |(m, c): &Term| m.times(&inverse, MAX_ERROR_ORDER)?.map(|m| Ok((m, c.over(number)?))).transpose();
+        let terms: Result<Vec<Option<Term>>, AlgebraError> = self.terms.iter().map(over).collect();
+        Ok(Self { terms: terms?.into_iter().flatten().collect() })
+    }
+
     /// Appends the terms of `self · other` up to `order` errors to `out`, unsorted: the inner loop of every 4×4 product.
     pub(super) fn product_into(&self, other: &Self, order: Order, out: &mut Vec<Term>) -> Result<(), AlgebraError> {
         for (ma, ca) in &self.terms {

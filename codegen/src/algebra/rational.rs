@@ -87,6 +87,14 @@ impl Rational {
         }
     }
 
+    /// The number, if it is whole.
+    fn whole(&self) -> Option<BigInt> {
+        match &self.0 {
+            Repr::Small(n, d) => (*d == UNIT).then(|| (*n).into()),
+            Repr::Big(big) => big.is_integer().then(|| big.numer().clone()),
+        }
+    }
+
     /// The number, if it is whole and has at most 127 bits.
     pub fn to_integer(&self) -> Option<i128> {
         match &self.0 {
@@ -150,6 +158,22 @@ impl Rational {
         }
     }
 
+    /// `self / other`; whole where both are and nothing remains, without a search for common divisors.
+    ///
+    /// # Errors
+    /// `other` is 0.
+    pub(super) fn over(&self, other: &Self) -> Result<Self, AlgebraError> {
+        if let (Some(a), Some(b)) = (self.whole(), other.whole())
+            && !b.is_zero()
+        {
+            let (quotient, rest) = a.div_rem(&b);
+            if rest.is_zero() {
+                return Ok(Self::from_big(quotient.into()));
+            }
+        }
+        Ok(self * &other.recip()?)
+    }
+
     /// `self^exponent`; `None` for a negative power of 0 and for one with more digits than the range of `f64` has.
     pub(crate) fn power(&self, exponent: i32) -> Option<Self> {
         const MOST: u64 = f64::MAX_EXP.unsigned_abs() as u64;
@@ -188,7 +212,10 @@ impl Add for &Rational {
             }
             _ => None,
         };
-        small.unwrap_or_else(|| Rational::from_big(self.to_big() + other.to_big()))
+        small.unwrap_or_else(|| match self.whole().zip(other.whole()) {
+            Some((a, b)) => Rational::from_big((a + b).into()),
+            None => Rational::from_big(self.to_big() + other.to_big()),
+        })
     }
 }
 
@@ -204,7 +231,10 @@ impl Mul for &Rational {
             }
             _ => None,
         };
-        small.unwrap_or_else(|| Rational::from_big(self.to_big() * other.to_big()))
+        small.unwrap_or_else(|| match self.whole().zip(other.whole()) {
+            Some((a, b)) => Rational::from_big((a * b).into()),
+            None => Rational::from_big(self.to_big() * other.to_big()),
+        })
     }
 }
 
@@ -239,7 +269,14 @@ pub(super) fn power_of_two(exponent: i8) -> Rational {
 
 /// gcd of the numerators over lcm of the denominators, so that dividing by it leaves coprime integers; 1 for none.
 pub(super) fn content<'a>(numbers: impl Iterator<Item = &'a Rational>) -> Rational {
-    let step = |(n, d): (BigInt, BigInt), r: &Rational| (n.gcd(&r.numer()), d.lcm(&r.denom()));
+    // Nearly always there is nothing to be found, and a remainder says so at once.
+    let step = |(n, d): (BigInt, BigInt), r: &Rational| {
+        let (numer, denom) = (r.numer(), r.denom());
+        (
+            if numer.is_multiple_of(&n) { n } else { n.gcd(&numer) },
+            if d.is_multiple_of(&denom) { d } else { d.lcm(&denom) },
+        )
+    };
     let (n, d) = numbers.fold((BigInt::zero(), BigInt::one()), step);
     if n.is_zero() { Rational::ONE } else { Rational::from_big(BigRational::new(n, d)) }
 }
