@@ -4,7 +4,7 @@
 //! coordinates with `Σ wᵢ ψₖ(xᵢ) = hₖ` for all k give `Σ hₖ pₖ = Σ wᵢ E(xᵢ)`, so that with |E| ≤ 1 it is at most `Σ |wᵢ|`; the
 //! smallest such sum is the largest value. It is approached by least squares that are weighted anew with their own |w|.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Rounds of weighting anew: each gives a bound, the last is a few per cent above the smallest.
 const ROUNDS: usize = 12;
@@ -31,8 +31,10 @@ impl Shape {
         for _ in 0..ROUNDS {
             let scaled = DMatrix::from_fn(psi.nrows(), psi.ncols(), |i, k| psi[(i, k)] * weights[i]);
             let normal = psi.tr_mul(&scaled);
-            let svd = normal.svd(true, true);
-            let Ok(z) = svd.solve(&h, 1e-12 * svd.singular_values.max()) else { break };
+            let eigen = SymmetricEigen::new(normal);
+            let least = 1e-12 * eigen.eigenvalues.max();
+            let inverse = eigen.eigenvalues.map(|value| if value > least { value.recip() } else { 0.0 });
+            let z = &eigen.eigenvectors * inverse.component_mul(&eigen.eigenvectors.tr_mul(&h));
             let w = (psi * z).component_mul(&weights);
             let size = w.lp_norm(1);
             if !size.is_finite() || size >= bound * (1.0 - 1e-4) {

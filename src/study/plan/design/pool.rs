@@ -134,9 +134,9 @@ impl Pool {
         })
     }
 
-    /// Runs there are.
-    pub fn len(&self) -> usize {
-        self.placings.len()
+    /// Positions of the runs.
+    pub fn runs(&self) -> core::ops::Range<usize> {
+        0..self.placings.len()
     }
 
     /// Which placing of the balls a run needs.

@@ -160,7 +160,7 @@ fn weigh(
     beyond: f64,
 ) -> Result<Weighed, DesignError> {
     let pool = Pool::new(choices, functions, &asked.measured, beyond)?;
-    let best = pool.uncertainties(&pool.known(0..pool.len()), functions.iter().copied()).unwrap_or_default();
+    let best = pool.uncertainties(&pool.known(pool.runs()), functions.iter().copied()).unwrap_or_default();
     let mut within = Within::new();
     let mut determined = true;
     for (&function, wanted) in functions.iter().zip(wanted) {

@@ -30,7 +30,7 @@ pub fn recommended(draft: &Draft, model: &Model, measured: &Measured) -> Result<
         model.functions.iter_enumerated().filter(|(_, f)| f.estimate).map(|(f, _)| f).collect();
     let choices = Choices::own(draft)?;
     let pool = Pool::new(&choices, &functions, measured, UNKNOWN)?;
-    let known = pool.known(0..pool.len());
+    let known = pool.known(pool.runs());
     let mut recommended = Vec::new();
     for function in functions {
         let best = pool.uncertainties(&known, [function].into_iter()).and_then(|all| all.get(&function).copied());

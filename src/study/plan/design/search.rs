@@ -29,7 +29,7 @@ pub fn fewest(pool: &Pool, within: &Within, done: &(dyn Fn(usize) + Sync), each:
     for count in 1..=pool.placings() {
         done(count);
         let inside = |chosen: &Vec<usize>| -> Vec<usize> {
-            (0..pool.len()).filter(|&i| chosen.contains(&pool.placing(i))).collect()
+            pool.runs().filter(|&i| chosen.contains(&pool.placing(i))).collect()
         };
         let pools: Vec<Vec<usize>> = combinations(pool.placings(), count)
             .par_iter()
@@ -80,8 +80,8 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn new(pool: &'a Pool, within: &'a Within, runs: &'a [usize]) -> Self {
-        let none = pool.known([]);
-        let mut after = vec![&none - &none];
+        let size = pool.known([]).nrows();
+        let mut after = vec![DMatrix::zeros(size, size)];
         for &run in runs.iter().rev() {
             let sum = pool.add(&after[after.len() - 1], run);
             after.push(sum);
