@@ -53,6 +53,8 @@ mod tests {
     use super::super::{candidates, read_draft};
     use crate::catalogue;
     use crate::ids::AxisId;
+    use crate::source::Text;
+    use std::collections::BTreeMap;
 
     #[test]
     fn what_is_written_reads_back() {
@@ -65,19 +67,17 @@ mod tests {
                 let text = run.to_string();
                 let again = read_draft(&format!("name = \"m\"\n\n{text}")).unwrap().runs.remove(0);
                 assert_eq!(again.to_string(), text, "{name}");
-                let values = |run: &super::DraftRun| {
-                    let at: Vec<_> = run.at.iter().map(|(a, at)| (a.value.clone(), at.value.clone())).collect();
-                    let balls = [&run.workpiece_ball, &run.tool_ball];
-                    let ball = |b: &super::DraftBall| {
-                        [&b.at, &b.setup].map(|l| l.iter().map(|t| t.value.clone()).collect::<Vec<_>>())
-                    };
-                    (run.name.value.clone(), run.sweep.value.clone(), at, balls.map(ball))
+                let at = |run: &super::DraftRun| {
+                    let pairs = run.at.iter().map(|(axis, at)| (axis.value.clone(), at.value.clone()));
+                    pairs.collect::<BTreeMap<String, String>>()
                 };
-                let sorted = |mut all: (String, String, Vec<(String, String)>, [[Vec<String>; 2]; 2])| {
-                    all.2.sort();
-                    all
+                let texts = |run: &super::DraftRun| {
+                    let balls =
+                        [&run.workpiece_ball.at, &run.workpiece_ball.setup, &run.tool_ball.at, &run.tool_ball.setup];
+                    let of = |list: &Vec<Text>| list.iter().map(|t| t.value.clone()).collect::<Vec<_>>();
+                    (run.name.value.clone(), run.sweep.value.clone(), balls.map(of))
                 };
-                assert_eq!(sorted(values(&again)), sorted(values(run)), "{name}: {text}");
+                assert_eq!((at(&again), texts(&again)), (at(run), texts(run)), "{name}: {text}");
                 written += 1;
             }
         }
