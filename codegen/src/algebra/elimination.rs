@@ -29,6 +29,7 @@ where
     usize: From<C>,
 {
     let mut rows = rows.iter().map(whole).collect::<Result<Vec<_>, _>>()?;
+    let mut work = Work::default();
     let mut done: Vec<(C, TiVec<C, Poly>)> = Vec::new();
     for column in order {
         let size = |row: &TiVec<C, Poly>| {
@@ -46,7 +47,7 @@ where
             make_primitive(&mut pivot)?;
         }
         for row in rows.iter_mut().chain(done.iter_mut().map(|(_, row)| row)).filter(|row| !row[column].is_zero()) {
-            eliminate(row, &pivot, column)?;
+            eliminate(row, &pivot, column, &mut work)?;
         }
         done.push((column, pivot));
     }
@@ -87,8 +88,27 @@ fn content<'a>(polys: impl IntoIterator<Item = &'a Poly>) -> Rational {
     rational::content(polys.into_iter().flat_map(Poly::terms).map(|(_, c)| c))
 }
 
+/// Products of terms there have been.
+#[derive(Default)]
+struct Work(usize);
+
+impl Work {
+    /// A dozen times what the catalogue's largest searches need, and some ten seconds.
+    const MOST: usize = 10_000_000;
+
+    fn add(&mut self, a: &Poly, b: &Poly) -> Result<(), AlgebraError> {
+        self.0 += a.terms().len() * b.terms().len();
+        if self.0 > Self::MOST { Err(AlgebraError::TooLong) } else { Ok(()) }
+    }
+}
+
 /// Makes `row[column]` zero: `(p·row − f·pivot) / gcd(p, f)`; p has no √2.
-fn eliminate<C>(row: &mut TiVec<C, Poly>, pivot: &TiVec<C, Poly>, column: C) -> Result<(), AlgebraError>
+fn eliminate<C>(
+    row: &mut TiVec<C, Poly>,
+    pivot: &TiVec<C, Poly>,
+    column: C,
+    work: &mut Work,
+) -> Result<(), AlgebraError>
 where
     C: Copy + From<usize>,
     usize: From<C>,
@@ -98,6 +118,8 @@ where
     let number = content([&p, &f]);
     let (p, f) = (p.over(Monomial::ONE, &number)?, f.over(Monomial::ONE, &number)?);
     for (r, own) in row.iter_mut().zip(pivot) {
+        work.add(r, &p)?;
+        work.add(own, &f)?;
         *r = r.times(&p, Order::NOMINAL)?;
         if !own.is_zero() {
             *r = r.minus(&own.times(&f, Order::NOMINAL)?)?.normal_root2()?;
@@ -213,5 +235,18 @@ mod tests {
             let step = |sum: Fraction, (a, b): (&Fraction, &Fraction)| sum.minus_product(a, b, &alphabet).unwrap();
             assert_eq!(row.iter().zip(&kernel[0]).fold(zero.clone(), step), zero);
         }
+    }
+
+    #[test]
+    fn coefficients_that_grow_beyond_use_are_refused() {
+        let mut alphabet = Alphabet::default();
+        let lengths = ["A", "B", "C", "D"].map(|name| Poly::nominal(alphabet.constant(name).unwrap()));
+        let entry = |i: i128, j: i128| {
+            let scaled = lengths.iter().zip([3 * i + j * j, 2 * j + i * i, 7 * i * j + 1, i + 5 * j]);
+            let terms = scaled.map(|(l, n)| l.scaled(&Rational::from(n % 11 + 1)).unwrap());
+            Fraction::whole(terms.fold(Poly::one(), |sum, term| sum.plus(&term).unwrap()))
+        };
+        let rows = (0..12).map(|i| (0..13).map(|j| entry(i, j)).collect::<Row<usize>>()).collect();
+        assert_eq!(reduce(rows, 0..13, &alphabet).err(), Some(AlgebraError::TooLong));
     }
 }

@@ -48,6 +48,8 @@ pub enum AlgebraError {
     TooManyNominals,
     /// More error symbols than identifiers.
     TooManyErrors,
+    /// Coefficients so long that nobody could read them, after more work than anybody would wait for.
+    TooLong,
     /// A truncation order above [`MAX_ERROR_ORDER`].
     OrderTooHigh,
 }
@@ -59,6 +61,9 @@ impl core::fmt::Display for AlgebraError {
             Self::DivisionByZero => "division by zero",
             Self::TooManyNominals => "more than 16 constants, sweeps, sines and cosines in one model",
             Self::TooManyErrors => "more than 65535 error symbols in one model",
+            Self::TooLong => {
+                "the coefficients grow beyond use: fewer runs, lower degrees or simpler directions give shorter ones"
+            }
             Self::OrderTooHigh => "the order in the errors is above 8",
         };
         f.write_str(text)
