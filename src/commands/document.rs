@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 use trunnion::study::{Budget, COVERAGE, Contribution, Curve, CurvePoint, Line, Report, Spread, Study, Told};
 use trunnion_codegen::emit::equations::Remaining;
 use trunnion_codegen::identify::Extent;
+use trunnion_codegen::quantity::Unit;
 
 /// One object: model, estimator, runs, coefficients, functions, condition, warnings.
 pub fn report(report: &Report, radius_mm: Option<f64>) -> Value {
@@ -21,6 +22,13 @@ pub fn report(report: &Report, radius_mm: Option<f64>) -> Value {
         "runs": runs.collect::<Map<_, _>>(),
         "coefficients": coefficients.collect::<Vec<_>>(),
         "functions": report.functions.iter().map(curve).collect::<Vec<_>>(),
+        "hysteresis": report.hysteresis.iter().map(|h| json!({
+            "run": h.run,
+            "samples": h.samples,
+            "largest_um": Unit::Um.from_inner(h.largest),
+            "at_deg": h.at.to_degrees(),
+            "mean_um": Unit::Um.from_inner(h.mean),
+        })).collect::<Vec<_>>(),
         "condition": report.condition,
         "warnings": report.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
     })

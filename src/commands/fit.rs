@@ -18,7 +18,8 @@ use trunnion_codegen::model::Model;
 pub struct FitArguments {
     #[command(flatten)]
     model: ModelArguments,
-    /// Measurements of a run; once for each run that was made.
+    /// Measurements of a run; once for each run that was made, and again for each time that it was made or direction that it was
+    /// made in.
     ///
     /// Three displacements may be in one file with the columns dx, dy, dz: `low=FILE` for the runs low-x, low-y, low-z.
     #[arg(long = "run", value_name = "NAME=FILE", required = true)]
@@ -70,8 +71,10 @@ impl FitArguments {
         let (limits, instrument) = (self.limits.limits(&setup)?, self.instrument.instrument(&setup.model)?);
         let mut observations = files.read(&setup, self.table.as_deref())?;
         weigh(&setup, &mut observations, &weights).map_err(|e| Refused::weight(&e, &self.weights))?;
-        let file =
-            |run: &str| setup.run(run).map_or_else(|| run.to_owned(), |run| files.file(run).display().to_string());
+        let file = |run: &str| {
+            let files = |run| files.files(run).map(|file| file.display().to_string()).collect::<Vec<_>>();
+            setup.run(run).map_or_else(|| run.to_owned(), |run| files(run).join(", "))
+        };
         let fitted = fit(&setup, &observations, self.estimator.into()).map_err(|e| e.rename(file))?;
         let report = report(&setup, &observations, &fitted, limits, &instrument, self.table.is_none())?;
         for warning in &report.warnings {

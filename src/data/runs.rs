@@ -10,7 +10,6 @@ use trunnion_codegen::algebra::{Monomial, Poly, Rational, at};
 use trunnion_codegen::basis::Coordinate;
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::ids::{FunctionId, RunId};
-use typed_index_collections::{TiVec, ti_vec};
 
 /// The readings' column of a run with a file of its own, without the unit.
 const READING: &str = "dr";
@@ -34,9 +33,6 @@ pub enum ObservationsError {
         /// The runs of the model.
         runs: Vec<String>,
     },
-    /// A run has two files.
-    #[error("run `{0}` is given twice\n  expected each run of the model once")]
-    RunTwice(String),
     /// A run has no file.
     #[error("run `{0}` is not given\n  expected a file for every run of the model")]
     RunMissing(String),
@@ -59,9 +55,9 @@ impl ObservationsError {
     }
 }
 
-/// The file of every run of a model.
+/// The files of every run of a model: one for each time that it was measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RunFiles(TiVec<RunId, Source>);
+pub struct RunFiles(Vec<(RunId, Source)>);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Source {
@@ -71,14 +67,13 @@ struct Source {
 }
 
 impl RunFiles {
-    /// Files by the names of their runs, each run once. Three displacements may be in one file with the columns `dx`, `dy`,
-    /// `dz`: `low` for the runs `low-x`, `low-y`, `low-z`.
+    /// Files by the names of their runs; a run that was measured several times, or in both directions, has several. Three
+    /// displacements may be in one file with the columns `dx`, `dy`, `dz`: `low` for the runs `low-x`, `low-y`, `low-z`.
     ///
     /// # Errors
-    /// [`ObservationsError`] for a run that is unknown, missing, or there twice.
+    /// [`ObservationsError`] for a run that is unknown or missing.
     pub fn new<P: AsRef<Path>>(setup: &Setup, given: &[(&str, P)]) -> Result<Self, ObservationsError> {
-        let mut files: TiVec<RunId, Option<Source>> = ti_vec![None; setup.model.runs.len()];
-        let name = |run: RunId| setup.model.runs[run].name.clone();
+        let mut files = Vec::new();
         for (run, file) in given {
             let channels: Vec<RunId> = ENDINGS.iter().filter_map(|end| setup.run(&format!("{run}{end}"))).collect();
             let runs = match setup.run(run) {
@@ -86,20 +81,21 @@ impl RunFiles {
                 None if channels.len() == CHANNELS.len() => channels.into_iter().zip(CHANNELS).collect(),
                 None => return Err(ObservationsError::unknown_run(setup, run)),
             };
-            for (run, column) in runs {
-                if files[run].replace(Source { file: file.as_ref().to_owned(), column }).is_some() {
-                    return Err(ObservationsError::RunTwice(name(run)));
-                }
-            }
+            files
+                .extend(runs.into_iter().map(|(run, column)| (run, Source { file: file.as_ref().to_owned(), column })));
         }
-        let present =
-            |(run, file): (RunId, Option<Source>)| file.ok_or_else(|| ObservationsError::RunMissing(name(run)));
-        Ok(Self(files.into_iter_enumerated().map(present).collect::<Result<_, _>>()?))
+        // In the model's order; each run's in the order they were given.
+        files.sort_by_key(|(run, _)| *run);
+        let missing = setup.model.runs.keys().find(|run| files.iter().all(|(own, _)| own != run));
+        match missing {
+            Some(run) => Err(ObservationsError::RunMissing(setup.model.runs[run].name.clone())),
+            None => Ok(Self(files)),
+        }
     }
 
-    /// The file of a run.
-    pub fn file(&self, run: RunId) -> &Path {
-        &self.0[run].file
+    /// The files of a run.
+    pub fn files(&self, run: RunId) -> impl Iterator<Item = &Path> {
+        self.0.iter().filter(move |(own, _)| *own == run).map(|(_, source)| source.file.as_path())
     }
 
     /// Reads every run, each with weight 1; the known functions are those of the table, or zero without one.
@@ -108,7 +104,7 @@ impl RunFiles {
     /// [`ObservationsError`] for a file that cannot be used, or a known function that no table can give.
     pub fn read(&self, setup: &Setup, table: Option<&Path>) -> Result<Vec<Observation>, ObservationsError> {
         let table = table.map(|file| KnownTable::read(setup, file)).transpose()?;
-        self.0.iter_enumerated().map(|(run, source)| observation(setup, run, source, table.as_ref())).collect()
+        self.0.iter().map(|(run, source)| observation(setup, *run, source, table.as_ref())).collect()
     }
 }
 

@@ -1,6 +1,6 @@
 //! One run of the ball-bar.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
@@ -59,8 +59,8 @@ impl Sweep {
     /// `least` is the number of samples needed (that of the coefficients to fit), `radius` the bar's nominal length.
     ///
     /// # Errors
-    /// [`FileError`] where the file cannot be read or is no such file; where an angle comes twice (repeated sweeps are
-    /// files of their own) or is beyond ten turns; where there are fewer than `least` samples; where the readings are absolute lengths or
+    /// [`FileError`] where the file cannot be read or is no such file; where an angle is beyond ten
+    /// turns; where there are fewer than `least` angles; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
         Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least })
@@ -136,27 +136,14 @@ fn check(
     least: usize,
     [angle, reading]: [String; 2],
 ) -> Option<FileProblem> {
-    let mut seen = HashMap::new();
-    let mut bad = Vec::new();
-    for SweepSample { angle_rad, line, .. } in samples {
-        // Adding zero makes one of the two zeros.
-        let first = *seen.entry((angle_rad + 0.0).to_bits()).or_insert(*line);
-        if first != *line {
-            bad.push(LineProblem {
-                line: *line,
-                problem: FieldProblem::RepeatedAngle { angle_rad: *angle_rad, first },
-            });
-        }
-    }
-    if !bad.is_empty() {
-        return Some(FileProblem::Lines(bad));
-    }
     let angle_rad = samples.iter().map(|sample| sample.angle_rad.abs()).fold(0.0, f64::max);
     if angle_rad > MOST_TURNS * TAU {
         return Some(FileProblem::ManyTurns { angle_rad, most: MOST_TURNS, column: angle });
     }
-    if samples.len() < least {
-        return Some(FileProblem::TooFew { present: samples.len(), needed: least, why: Need::Coefficients });
+    // Repeated angles are data, but tell nothing more of the shape. Adding zero makes one of the two zeros.
+    let angles: HashSet<u64> = samples.iter().map(|sample| (sample.angle_rad + 0.0).to_bits()).collect();
+    if angles.len() < least {
+        return Some(FileProblem::TooFew { present: angles.len(), needed: least, why: Need::Coefficients });
     }
     let median_mm = median(samples.iter().map(|sample| sample.reading_mm.abs()).collect())?;
     if median_mm <= BEYOND_STROKE_MM {

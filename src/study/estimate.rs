@@ -82,7 +82,7 @@ impl EstimateError {
     }
 }
 
-/// Fits `observations`; each run at most once.
+/// Fits `observations`; a run that was measured several times is there as often.
 ///
 /// # Errors
 /// [`EstimateError`]

@@ -124,7 +124,7 @@ pub struct Fit {
     sensitivity: [DMatrix<f64>; 2],
 }
 
-/// Fits `observations`; each run at most once.
+/// Fits `observations`; a run that was measured several times is there as often.
 ///
 /// # Errors
 /// [`FitError`]

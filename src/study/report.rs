@@ -3,6 +3,7 @@
 use super::budget::{Budget, Instrument, Sources};
 use super::curve::{Curve, curve};
 use super::fit::{Estimator, Fit, Observation};
+use super::hysteresis::{Hysteresis, hysteresis};
 use super::limits::ErrorLimits;
 use super::neglected::neglected;
 use super::setup::{Setup, SetupError, coordinate};
@@ -23,7 +24,8 @@ pub struct Report {
     pub limits: ErrorLimits,
     /// What is known of the instrument; nothing is in no line.
     pub instrument: Instrument,
-    /// Each run: name, samples, root mean square of its residuals in µm.
+    /// Each run: name, samples, root mean square of its residuals in µm; of one that was measured several times each time, with
+    /// its number after the name.
     pub runs: Vec<(String, usize, f64)>,
     /// The estimated base parameters.
     pub coefficients: Vec<EstimatedCoefficient>,
@@ -35,6 +37,8 @@ pub struct Report {
     pub neglected: Vec<f64>,
     /// Per run, what it drops of all orders: not more on 95 % of the machines within the limits, µm.
     pub neglected_usual: Vec<f64>,
+    /// The runs that were measured in both directions.
+    pub hysteresis: Vec<Hysteresis>,
     /// What to be wary of.
     pub warnings: Vec<Warning>,
 }
@@ -98,20 +102,24 @@ pub fn report(
         .iter()
         .filter_map(|f| curve(setup, observations, fit, &sources, f, &bounds, limits).transpose());
     let functions = curves.collect::<Result<Vec<Curve>, SetupError>>()?;
-    let run = |(o, rms): (&Observation, &f64)| {
-        (setup.model.runs[o.run].name.clone(), o.samples.len(), Unit::Um.from_inner(*rms))
+    let run = |(i, (o, rms)): (usize, (&Observation, &f64))| {
+        let times = observations.iter().filter(|other| other.run == o.run).count();
+        let before = observations.iter().take(i).filter(|other| other.run == o.run).count();
+        let number = if times > 1 { format!("/{}", before + 1) } else { String::new() };
+        (format!("{}{number}", setup.model.runs[o.run].name), o.samples.len(), Unit::Um.from_inner(*rms))
     };
     Ok(Report {
         model: setup.model.name.clone(),
         estimator: fit.estimator,
         limits,
         instrument: *instrument,
-        runs: observations.iter().zip(&fit.rms).map(run).collect(),
+        runs: observations.iter().zip(&fit.rms).enumerate().map(run).collect(),
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
         functions,
         condition: fit.separation.condition,
         neglected: bounds.iter().map(|b| Unit::Um.from_inner(b.iter().copied().fold(0.0, f64::max))).collect(),
         neglected_usual: sources.dropped().iter().map(|size| Unit::Um.from_inner(*size)).collect(),
+        hysteresis: hysteresis(setup, observations),
         warnings: warnings(setup, observations, fit, without_table),
     })
 }

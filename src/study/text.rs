@@ -25,6 +25,18 @@ impl fmt::Display for Report {
                 "  linearisation drops up to {usual:.3} µm on 95 % of machines; second order never over {second:.3} µm"
             )?;
         }
+        for h in &self.hysteresis {
+            let [largest, mean] = [h.largest, h.mean].map(|x| Unit::Um.from_inner(x));
+            let [up, down] = h.samples;
+            writeln!(
+                f,
+                "run {}: {up} samples with the angle increasing, {down} decreasing; circular hysteresis H = {:.3} µm at {:.0}° \
+                 (mean difference {mean:.3} µm)",
+                h.run,
+                largest.abs(),
+                h.at.to_degrees()
+            )?;
+        }
         let round = |x: f64| (x * 1e6).round() / 1e6;
         let length = round(Unit::Um.from_inner(self.limits.length));
         let angle = round(Unit::Urad.from_inner(self.limits.angle));

@@ -83,14 +83,6 @@ pub enum FieldProblem {
         /// The field.
         text: String,
     },
-    /// An angle that was there already.
-    #[error("the angle {} is already on line {first}\n  expected each angle once in a file: give the mean of repeated readings, or remove one of the lines", Degrees(*.angle_rad))]
-    RepeatedAngle {
-        /// The angle, rad.
-        angle_rad: f64,
-        /// Where it stands first.
-        first: u64,
-    },
     /// A single reading that no ball-bar gives.
     #[error(
         "a reading of {reading_mm} mm is beyond the stroke of a ball-bar, about ±1 mm\n  remove the line if it is a slip of the file or of the measurement"

@@ -1,0 +1,59 @@
+//! Both directions of a run: the circular hysteresis (ISO 230-4, H).
+
+use super::fit::Observation;
+use super::setup::Setup;
+use std::f64::consts::TAU;
+use trunnion_codegen::ids::RunId;
+
+/// Steps of a turn over which readings of one direction are averaged.
+const STEPS: usize = 180;
+
+/// What a run reads with the sweep increasing and decreasing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hysteresis {
+    /// The run.
+    pub run: String,
+    /// Samples of either direction.
+    pub samples: [usize; 2],
+    /// The largest difference of the mean readings at one angle, increasing less decreasing, mm.
+    pub largest: f64,
+    /// Where it is, rad.
+    pub at: f64,
+    /// The mean difference, mm.
+    pub mean: f64,
+}
+
+/// Every run that was measured in both directions.
+pub(super) fn hysteresis(setup: &Setup, observations: &[Observation]) -> Vec<Hysteresis> {
+    let of = |run: RunId| {
+        // Sums and counts of readings by direction and by step of the turn.
+        let mut sums = [vec![(0.0, 0usize); STEPS], vec![(0.0, 0); STEPS]];
+        for observation in observations.iter().filter(|o| o.run == run) {
+            let samples = &observation.samples;
+            for (i, sample) in samples.iter().enumerate() {
+                let (a, b) = if i + 1 < samples.len() { (i, i + 1) } else { (i.saturating_sub(1), i) };
+                let direction = usize::from(samples[b].sweep < samples[a].sweep);
+                let step = (sample.sweep.rem_euclid(TAU) / TAU * STEPS as f64) as usize % STEPS;
+                sums[direction][step].0 += sample.reading;
+                sums[direction][step].1 += 1;
+            }
+        }
+        let samples = [0, 1].map(|direction| sums[direction].iter().map(|(_, n)| n).sum());
+        let differences: Vec<(usize, f64)> = (0..STEPS)
+            .filter_map(|step| {
+                let mean = |(sum, n): (f64, usize)| (n > 0).then(|| sum / n as f64);
+                Some((step, mean(sums[0][step])? - mean(sums[1][step])?))
+            })
+            .collect();
+        let &(step, largest) = differences.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        // A stray step back is no second direction.
+        (differences.len() * 4 >= sums[0].iter().filter(|(_, n)| *n > 0).count()).then(|| Hysteresis {
+            run: setup.model.runs[run].name.clone(),
+            samples,
+            largest,
+            at: (step as f64 + 0.5) * TAU / STEPS as f64,
+            mean: differences.iter().map(|(_, d)| d).sum::<f64>() / differences.len() as f64,
+        })
+    };
+    setup.model.runs.keys().filter_map(of).collect()
+}
