@@ -42,24 +42,27 @@ impl MonteCarloArguments {
         let (setup, simulation) = self.simulation.simulation(&self.model)?;
         let draws = simulation.draws(self.trials);
         let asked = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
-        let mut estimators = Vec::new();
+        let (mut estimators, mut notes) = (Vec::new(), Vec::new());
         for estimator in asked {
             match design_warning(&setup, draws, estimator) {
                 // Not asked for by name: what these runs do not allow is said and left out.
                 Err(EstimateError::NoFirstStep) if self.estimator.is_none() => {
-                    eprintln!("note: no two-step estimate: every run sees an estimated function");
+                    notes.push("note: no two-step estimate: every run sees an estimated function".to_owned());
                     continue;
                 }
                 Err(EstimateError::Confounded { .. })
                     if self.estimator.is_none() && estimator == Estimator::TwoStep =>
                 {
-                    eprintln!("note: no two-step estimate: neither step by itself tells apart what it sees");
+                    notes.push(
+                        "note: no two-step estimate: a step by itself does not tell apart what it sees".to_owned(),
+                    );
                     continue;
                 }
-                other => other?.into_iter().for_each(|warning| eprintln!("warning: {estimator}: {warning}")),
+                other => notes.extend(other?.map(|warning| format!("warning: {estimator}: {warning}"))),
             }
             estimators.push(estimator);
         }
+        notes.iter().for_each(|note| eprintln!("{note}"));
         if self.budget {
             return self.check(&setup, draws, &estimators);
         }

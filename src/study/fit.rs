@@ -4,6 +4,7 @@
 //! then the others with those coefficients put in, their covariance carried along
 //! ([`Order`](trunnion_solver::lstsq::Order)).
 
+pub use super::observation::{Observation, Sample};
 use super::seen::Seen;
 use super::separation::Separation;
 use super::setup::Setup;
@@ -24,30 +25,6 @@ pub enum Estimator {
     TwoStep,
 }
 
-/// One sample of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sample {
-    /// The sweep, rad.
-    pub sweep: f64,
-    /// The reading, mm.
-    pub reading: f64,
-    /// Values of the run's known functions (mm or rad), in the order of its derivation.
-    pub known: Vec<f64>,
-    /// Their standard uncertainties; none where they are not stated.
-    pub known_std: Vec<f64>,
-}
-
-/// The data of one run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Observation {
-    /// The run.
-    pub run: RunId,
-    /// Weight of each sample: one over the variance of its reading, up to a common factor.
-    pub weight: f64,
-    /// Its samples.
-    pub samples: Vec<Sample>,
-}
-
 /// The variance of a reading of weight one.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Variance {
@@ -56,18 +33,6 @@ pub enum Variance {
     Residual,
     /// The square of this standard deviation, mm.
     Known(f64),
-}
-
-impl Observation {
-    /// A run at the given sweeps (rad) with all readings zero: for what does not depend on readings.
-    pub fn zero(setup: &Setup, run: RunId, sweeps: &[f64]) -> Self {
-        let known = vec![0.0; setup.derivation.runs[run].known.len()];
-        let samples = sweeps
-            .iter()
-            .map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone(), known_std: Vec::new() })
-            .collect();
-        Self { run, weight: 1.0, samples }
-    }
 }
 
 /// Why there is no estimate.
@@ -246,15 +211,7 @@ fn push(
 }
 
 fn rms(setup: &Setup, observation: &Observation, fit: &Fit) -> f64 {
-    let places = fit.places(setup, observation);
-    let mut evaluator = setup.row(observation.run);
-    let square = |sample: &Sample| {
-        let (row, factors) = evaluator.at(sample.sweep);
-        let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
-        let model: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * fit.values[(*at)?])).sum();
-        (sample.reading - known - model).powi(2)
-    };
-    let sum: f64 = observation.samples.iter().map(square).sum();
+    let sum: f64 = fit.residuals(setup, observation).iter().map(|e| e * e).sum();
     (sum / observation.samples.len().max(1) as f64).sqrt()
 }
 
@@ -262,6 +219,19 @@ impl Fit {
     /// The estimated functions as these readings give them.
     pub fn functions(&self) -> &[Seen] {
         &self.seen
+    }
+
+    /// Readings less what the estimate makes of them, mm, in the order of the samples.
+    pub fn residuals(&self, setup: &Setup, observation: &Observation) -> Vec<f64> {
+        let places = self.places(setup, observation);
+        let mut evaluator = setup.row(observation.run);
+        let residual = |sample: &Sample| {
+            let (row, factors) = evaluator.at(sample.sweep);
+            let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
+            let model: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * self.values[(*at)?])).sum();
+            sample.reading - known - model
+        };
+        observation.samples.iter().map(residual).collect()
     }
 
     /// An estimated function as these readings give it.

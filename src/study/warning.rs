@@ -2,6 +2,7 @@
 
 use super::budget::{any_shape, without_table};
 use super::fit::{Fit, Observation};
+use super::misfit::{Misfit, misfit};
 use super::separation::Separation;
 use super::setup::{Setup, coordinate};
 use super::told::Told;
@@ -57,6 +58,8 @@ pub enum Warning {
         /// Degrees or mm.
         unit: Unit,
     },
+    /// Residuals are no noise.
+    Misfit(Misfit),
     /// A known function was taken as zero.
     TakenAsZero {
         /// Its name in a table.
@@ -101,6 +104,22 @@ impl fmt::Display for Warning {
                  outside, its polynomials are only continued",
                 interval.0, interval.1, visited.0, visited.1
             ),
+            Self::Misfit(Misfit { runs, mistake, without_table }) => {
+                let each = runs.iter().map(|(run, look)| {
+                    let (rms, r) = (Unit::Um.from_inner(look.rms), look.correlation);
+                    let spikes = match look.spikes.len() {
+                        0 => String::new(),
+                        n => format!(", {n} far out"),
+                    };
+                    format!("{run} ({rms:.3} µm rms, correlation of neighbours {r:.2}{spikes})")
+                });
+                write!(f, "the residuals are not noise: {}; ", each.collect::<Vec<_>>().join(", "))?;
+                match mistake {
+                    Some(mistake) => write!(f, "{mistake}"),
+                    None if *without_table => f.write_str("the known functions, taken as zero, are in them"),
+                    None => f.write_str("no usual mistake explains it: the machine may do what the bases cannot"),
+                }
+            }
             Self::TakenAsZero { known, unit, costs } => {
                 write!(f, "no table: {known} is taken as zero")?;
                 for (name, own, cost) in costs {
@@ -125,7 +144,14 @@ impl Warning {
 }
 
 /// All there is to be wary of. `without_table` says that the known functions were taken as zero.
-pub(super) fn warnings(setup: &Setup, observations: &[Observation], fit: &Fit, without_table: bool) -> Vec<Warning> {
+/// `dropped` is what linearisation usually drops of each observation's readings, mm.
+pub(super) fn warnings(
+    setup: &Setup,
+    observations: &[Observation],
+    fit: &Fit,
+    without_table: bool,
+    dropped: &[f64],
+) -> Vec<Warning> {
     let whole_turn = observations.iter().any(|o| goes_round(span(std::slice::from_ref(o))));
     let mut warnings: Vec<Warning> =
         Warning::hardly_separated(setup, &fit.separation, whole_turn).into_iter().collect();
@@ -135,6 +161,8 @@ pub(super) fn warnings(setup: &Setup, observations: &[Observation], fit: &Fit, w
         Warning::NotDetermined { function, told: seen.told(setup) }
     }));
     warnings.extend(fit.functions().iter().filter_map(|seen| conditions(setup, observations, seen.function())));
+    let untold = without_table && !setup.known(observations.iter().map(|o| o.run)).is_empty();
+    warnings.extend(misfit(setup, observations, fit, dropped, untold).map(Warning::Misfit));
     if without_table {
         warnings.extend(taken_as_zero(setup, observations, fit));
     }

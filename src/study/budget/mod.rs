@@ -22,6 +22,7 @@ pub use source::{Line, Source};
 
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
+use super::misfit::alike;
 use super::seen::Seen;
 use super::setup::Setup;
 use assumed::{Assumptions, zeros};
@@ -47,6 +48,8 @@ pub struct Sources<'a> {
     assumptions: Assumptions<'a>,
     zeros: Ignored,
     linearisation: Dropped,
+    /// How many readings stand for an independent one.
+    alike: f64,
 }
 
 /// The uncertainty of one number.
@@ -106,6 +109,7 @@ impl<'a> Sources<'a> {
             assumptions: Assumptions::new(setup, observations, fit),
             zeros: zeros(setup, observations),
             linearisation: linearisation(setup, observations, fit, limits),
+            alike: alike(setup, observations, fit),
         }
     }
 
@@ -126,7 +130,8 @@ impl<'a> Sources<'a> {
 
     fn lines(&self, functional: &DVector<f64>, function: Function) -> Vec<Line> {
         let noise = (&self.fit.covariance * functional).dot(functional).max(0.0).sqrt();
-        let noise = Contribution { std: noise, degrees_of_freedom: Some(self.fit.degrees_of_freedom) };
+        let degrees_of_freedom = (f64::from(self.fit.degrees_of_freedom) / self.alike).max(1.0) as u32;
+        let noise = Contribution { std: noise * self.alike.sqrt(), degrees_of_freedom: Some(degrees_of_freedom) };
         let Instrumental { constant, proportional, bar_length, temperature } = &self.instrument;
         let ignored = self.limited.std(&self.assumptions.sum(functional, function));
         let exact = [
