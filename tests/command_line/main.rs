@@ -1,6 +1,7 @@
 //! The program as a user meets it: what it writes, what it prints, and what it says of bad input.
 
 mod bad_input;
+mod catalogue;
 
 use serde_json::Value;
 use std::fs;
