@@ -10,10 +10,10 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::time::Duration;
 use trunnion::data::Radius;
-use trunnion::study::plan::design::{Asked, Design, Measured, Proposal, design};
+use trunnion::study::plan::design::{Asked, Design, DesignError, Measured, Proposal, design, estimated};
 use trunnion::study::{ErrorLimits, Setup};
 use trunnion_codegen::model::{Draft, Model};
-use trunnion_codegen::quantity::{Quantity, Unit};
+use trunnion_codegen::quantity::Unit;
 
 /// What is asked on the command line.
 pub struct Wanted<'a> {
@@ -36,17 +36,18 @@ pub struct Wanted<'a> {
 impl Wanted<'_> {
     /// Searches, with a progress bar, and prints.
     pub fn run(&self, draft: &Draft, model: &Model) -> Result<(), Refused> {
-        let unit = |name: &str| {
-            let error = model.alphabet.find_error(name);
-            error.map_or(Quantity::Angle, |e| model.alphabet.error_quantity(e)).deviation()
+        let unit = |name: &String| {
+            let function = estimated(model, name)?;
+            Ok(model.alphabet.error_quantity(model.functions[function].error).deviation())
         };
+        let units = self.functions.iter().map(unit).collect::<Result<Vec<Unit>, DesignError>>()?;
         if !matches!(self.within.len(), 0 | 1) && self.within.len() != self.functions.len() {
             let given = self.within.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
             return Err(Refused::Within(given, self.functions.len()));
         }
         let within = |(i, name): (usize, &String)| {
             let own = self.within.get(i).or(self.within.first());
-            (name.clone(), own.map(|within| unit(name).to_inner(*within)))
+            (name.clone(), own.map(|within| units[i].to_inner(*within)))
         };
         let measured = Measured {
             lengths: lengths(model, self.radius, self.lengths)?,
@@ -64,7 +65,6 @@ impl Wanted<'_> {
         let found = design(draft, model, &asked, &|placings| bar.set_position(placings as u64));
         bar.finish_and_clear();
         let found = found?;
-        let units: Vec<Unit> = self.functions.iter().map(|name| unit(name)).collect();
         print(&if self.json {
             format!("{:#}\n", object(model, &found, &units))
         } else {
@@ -90,6 +90,9 @@ impl Wanted<'_> {
                 "  {}: all of them together give ± {best:.3} {unit}; looked for ± {within:.3} {unit}",
                 reachable.name
             );
+            if let Some(asked) = reachable.asked.map(|x| unit.from_inner(x)).filter(|asked| *asked < within) {
+                let _ = writeln!(out, "    ± {asked} {unit} cannot be reached with these runs");
+            }
         }
         let Some((first, others)) = found.proposals.split_first() else {
             out += "\nno set of these runs gives that\n";

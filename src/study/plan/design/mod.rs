@@ -8,6 +8,6 @@ mod search;
 
 pub use choices::{Choices, with_runs};
 pub use pool::{Measured, Pool};
-pub use proposal::{Asked, Design, DesignError, Proposal, Reachable, design};
+pub use proposal::{Asked, Design, DesignError, Proposal, Reachable, design, estimated};
 pub use recommended::{Recommended, recommended};
 pub use search::{Enough, Next, Within, fewest, share};

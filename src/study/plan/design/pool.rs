@@ -1,9 +1,9 @@
 //! Runs to choose from, with what each tells: a set of them is weighed by adding matrices.
 //!
-//! Each run is derived by itself, as it is on the machine with all of them. Parameters count in units of what is known of them before: that of their limit, times
-//! `beyond`. A run's information is then `Σ rows rowsᵀ / σ²`, and after a set S of runs a combination φ of parameters has the
-//! variance `φᵀ (1 + Σ_S)⁻¹ φ`: of what the runs determine it comes from noise, of what they don't from the limits. Directions of
-//! which all runs together say nothing are split off first.
+//! Each run is derived by itself, as it is on the machine with all of them. Parameters count in units of what is known of them
+//! before: that of their limit, times `beyond`. A run's information is then `Σ rows rowsᵀ / σ²`, and after a set S of runs a
+//! combination φ of parameters has the variance `φᵀ (1 + Σ_S)⁻¹ φ`: of what the runs determine it comes from noise, of what they
+//! don't from the limits. Directions of which all runs together say nothing are split off first.
 
 use super::choices::Choices;
 use crate::study::plan::subset;

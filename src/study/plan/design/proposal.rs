@@ -69,6 +69,8 @@ pub struct Design {
 pub struct Reachable {
     /// Its name.
     pub name: String,
+    /// What was asked, if anything was.
+    pub asked: Option<f64>,
     /// What was looked for: what was asked, or what is near the best.
     pub within: f64,
     /// What all runs together give.
@@ -110,8 +112,9 @@ pub fn design(
         weighed = weigh(&choices, &functions, &wanted, asked, 1.0)?;
     }
     let Weighed { pool, within, best, .. } = weighed;
-    let reachable = |(i, (name, _)): (usize, &(String, Option<f64>))| Reachable {
+    let reachable = |(i, (name, asked)): (usize, &(String, Option<f64>))| Reachable {
         name: name.clone(),
+        asked: *asked,
         within: within.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
         best: best.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
     };
@@ -177,11 +180,17 @@ fn weigh(
     Ok(Weighed { pool, within, best, determined })
 }
 
-fn estimated(model: &Model, name: &str) -> Result<FunctionId, DesignError> {
+/// The estimated function called so, in the model or in a report.
+///
+/// # Errors
+/// [`DesignError::NoFunction`]
+pub fn estimated(model: &Model, name: &str) -> Result<FunctionId, DesignError> {
     let estimated = || model.functions.iter_enumerated().filter(|(_, f)| f.estimate);
     let called = |f: FunctionId| model.alphabet.error_name(model.functions[f].error);
     let known = || estimated().map(|(f, _)| called(f)).collect::<Vec<_>>().join(", ");
-    let found = estimated().map(|(f, _)| f).find(|f| called(*f) == name);
+    // In a report it is called as its notation says: ε_xa is eps_xa.
+    let is = |f: &FunctionId| called(*f) == name || model.notation.function(called(*f)) == name;
+    let found = estimated().map(|(f, _)| f).find(is);
     found.ok_or_else(|| DesignError::NoFunction { name: name.to_owned(), known: known() })
 }
 

@@ -1,7 +1,7 @@
 //! The fewest placings of the balls, then the fewest runs, that make functions as certain as is asked.
 //!
 //! More runs never know less, so a branch of which all runs together do not suffice is left out: what is found is the fewest
-//! there are, not merely few.
+//! there are, not merely few, but where so many sets would suffice that only the first of them are looked at.
 
 use super::pool::Pool;
 use nalgebra::DMatrix;
@@ -26,7 +26,7 @@ pub struct Enough {
 /// Goes through the sets that suffice: those with the fewest placings first, of these those with the fewest runs, of these the
 /// most certain; as long as `each` asks for more. `done` is told how many placings are being tried.
 pub fn fewest(pool: &Pool, within: &Within, done: &(dyn Fn(usize) + Sync), each: &mut dyn FnMut(Enough) -> Next) {
-    for count in 1..=pool.placings() {
+    for count in 1..=pool.placings().min(PLACINGS) {
         done(count);
         let inside = |chosen: &Vec<usize>| -> Vec<usize> {
             pool.runs().filter(|&i| chosen.contains(&pool.placing(i))).collect()
@@ -54,6 +54,10 @@ pub fn fewest(pool: &Pool, within: &Within, done: &(dyn Fn(usize) + Sync), each:
 
 /// Sets of one size that are looked at more closely.
 const TRIED: usize = 24;
+/// Placings of the balls that anybody would go to.
+const PLACINGS: usize = 8;
+/// Sets and branches of one size that are weighed for the same placings.
+const WEIGHED: usize = 20_000;
 
 /// Whether another set is wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -91,13 +95,22 @@ impl<'a> Search<'a> {
     }
 
     fn of_size(&self, size: usize) -> Vec<Enough> {
-        let mut found = Vec::new();
-        self.extend(&mut Vec::new(), &self.pool.known([]), 0, size, &mut found);
+        let (mut found, mut left) = (Vec::new(), WEIGHED);
+        self.extend(&mut Vec::new(), &self.pool.known([]), 0, size, &mut found, &mut left);
         found
     }
 
-    fn extend(&self, chosen: &mut Vec<usize>, known: &DMatrix<f64>, from: usize, left: usize, found: &mut Vec<Enough>) {
-        if left == 0 {
+    /// Adds `size` runs from the position on to the chosen ones; `left` is what may still be weighed.
+    fn extend(
+        &self,
+        chosen: &mut Vec<usize>,
+        known: &DMatrix<f64>,
+        from: usize,
+        size: usize,
+        found: &mut Vec<Enough>,
+        left: &mut usize,
+    ) {
+        if size == 0 {
             let share = share(self.pool, self.within, known);
             if share <= 1.0 {
                 let mut placings: Vec<usize> = chosen.iter().map(|&i| self.pool.placing(i)).collect();
@@ -107,12 +120,13 @@ impl<'a> Search<'a> {
             }
             return;
         }
-        for at in from..=self.runs.len().saturating_sub(left) {
-            if at >= self.runs.len() || share(self.pool, self.within, &(known + &self.after[at])) > 1.0 {
+        for at in from..=self.runs.len().saturating_sub(size) {
+            *left = left.saturating_sub(1);
+            if *left == 0 || at >= self.runs.len() || share(self.pool, self.within, &(known + &self.after[at])) > 1.0 {
                 return;
             }
             chosen.push(self.runs[at]);
-            self.extend(chosen, &self.pool.add(known, self.runs[at]), at + 1, left - 1, found);
+            self.extend(chosen, &self.pool.add(known, self.runs[at]), at + 1, size - 1, found, left);
             chosen.pop();
         }
     }
