@@ -119,3 +119,15 @@ fn clean_data_raise_no_alarm() {
     println!("{alarms} of 200");
     assert!(alarms <= 2, "{alarms}");
 }
+
+#[test]
+fn residuals_are_held_against_the_stated_noise() {
+    let setup = Setup::from_catalogue("tilting-table-a", &[]).unwrap();
+    let observations = measured(&setup, 3);
+    let fitted = fit(&setup, &observations, Estimator::Joint).unwrap();
+    let said = |noise_um: f64| {
+        let instrument = Instrument { noise: noise_um * 1e-3 / 3f64.sqrt(), ..Instrument::default() };
+        told(&report(&setup, &observations, &fitted, ErrorLimits::PAPER, &instrument, false).unwrap()).is_some()
+    };
+    assert!(!said(0.1) && !said(0.2) && said(0.04));
+}

@@ -91,6 +91,9 @@ pub struct InstrumentArguments {
     /// A reading is wrong by at most this, µm, whatever it is.
     #[arg(long, value_name = "UM", allow_negative_numbers = true)]
     instrument_um: Option<f64>,
+    /// What changes from one reading to the next stays within this, µm: larger residuals are told.
+    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    instrument_noise_um: Option<f64>,
     /// It is wrong by at most this share of itself besides.
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
     instrument_share: Option<f64>,
@@ -118,6 +121,7 @@ impl InstrumentArguments {
         };
         let own = [
             ("instrument-um", self.instrument_um, Unit::Um.factor(), &mut stated.constant),
+            ("instrument-noise-um", self.instrument_noise_um, Unit::Um.factor(), &mut stated.noise),
             ("instrument-share", self.instrument_share, 1.0, &mut stated.proportional),
             ("bar-length-um", self.bar_length_um, Unit::Um.factor(), &mut stated.bar_length),
             ("temperature-k", self.temperature_k, 1.0, &mut stated.temperature),

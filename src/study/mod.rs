@@ -41,7 +41,7 @@ pub use estimate::{EstimateError, fit, fit_with};
 pub use fit::{Estimator, Fit, Observation, Sample, Variance};
 pub use hysteresis::Hysteresis;
 pub use limits::ErrorLimits;
-pub use misfit::{Look, Misfit, Mistake};
+pub use misfit::{Look, Misfit, Mistake, Odd};
 pub use monte_carlo::{Draws, Spread, Trial, monte_carlo};
 pub use neglected::{Neglected, neglected};
 pub use reach::OutOfRange;

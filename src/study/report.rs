@@ -120,7 +120,7 @@ pub fn report(
         neglected: bounds.iter().map(|b| Unit::Um.from_inner(b.iter().copied().fold(0.0, f64::max))).collect(),
         neglected_usual: sources.dropped().iter().map(|size| Unit::Um.from_inner(*size)).collect(),
         hysteresis: hysteresis(setup, observations),
-        warnings: warnings(setup, observations, fit, without_table, sources.dropped()),
+        warnings: warnings(setup, observations, fit, without_table, sources.dropped(), instrument.noise),
     })
 }
 

@@ -1,6 +1,6 @@
 //! The report for reading at a terminal.
 
-use super::budget::Budget;
+use super::budget::{Budget, Instrument};
 use super::curve::Curve;
 use super::report::{EstimatedCoefficient, Report};
 use core::fmt;
@@ -42,7 +42,7 @@ impl fmt::Display for Report {
         let angle = round(Unit::Urad.from_inner(self.limits.angle));
         writeln!(f, "condition {:.1} (columns scaled)", self.condition)?;
         writeln!(f, "± is the expanded uncertainty of 95 % (GUM), for errors within {length} µm and {angle} µrad")?;
-        if self.instrument == Default::default() {
+        if (Instrument { noise: 0.0, ..self.instrument }) == Instrument::default() {
             writeln!(f, "nothing is stated of the instrument: no ± has a part of it")?;
         }
         writeln!(f, "\nbase parameters")?;

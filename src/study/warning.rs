@@ -2,7 +2,7 @@
 
 use super::budget::{any_shape, without_table};
 use super::fit::{Fit, Observation};
-use super::misfit::{Misfit, misfit};
+use super::misfit::{Misfit, Odd, misfit};
 use super::separation::Separation;
 use super::setup::{Setup, coordinate};
 use super::told::Told;
@@ -105,13 +105,14 @@ impl fmt::Display for Warning {
                 interval.0, interval.1, visited.0, visited.1
             ),
             Self::Misfit(Misfit { runs, mistake, without_table }) => {
-                let each = runs.iter().map(|(run, look)| {
+                let each = runs.iter().map(|Odd { run, look, times }| {
                     let (rms, r) = (Unit::Um.from_inner(look.rms), look.correlation);
                     let spikes = match look.spikes.len() {
                         0 => String::new(),
                         n => format!(", {n} far out"),
                     };
-                    format!("{run} ({rms:.3} µm rms, correlation of neighbours {r:.2}{spikes})")
+                    let times = times.map_or(String::new(), |times| format!(", {times:.1} times what is stated"));
+                    format!("{run} ({rms:.3} µm rms{times}, correlation of neighbours {r:.2}{spikes})")
                 });
                 write!(f, "the residuals are not noise: {}; ", each.collect::<Vec<_>>().join(", "))?;
                 match mistake {
@@ -144,13 +145,14 @@ impl Warning {
 }
 
 /// All there is to be wary of. `without_table` says that the known functions were taken as zero.
-/// `dropped` is what linearisation usually drops of each observation's readings, mm.
+/// `dropped` is what linearisation usually drops of each observation's readings, `noise` what is stated of one, mm.
 pub(super) fn warnings(
     setup: &Setup,
     observations: &[Observation],
     fit: &Fit,
     without_table: bool,
     dropped: &[f64],
+    noise: f64,
 ) -> Vec<Warning> {
     let whole_turn = observations.iter().any(|o| goes_round(span(std::slice::from_ref(o))));
     let mut warnings: Vec<Warning> =
@@ -162,7 +164,7 @@ pub(super) fn warnings(
     }));
     warnings.extend(fit.functions().iter().filter_map(|seen| conditions(setup, observations, seen.function())));
     let untold = without_table && !setup.known(observations.iter().map(|o| o.run)).is_empty();
-    warnings.extend(misfit(setup, observations, fit, dropped, untold).map(Warning::Misfit));
+    warnings.extend(misfit(setup, observations, fit, dropped, noise, untold).map(Warning::Misfit));
     if without_table {
         warnings.extend(taken_as_zero(setup, observations, fit));
     }

@@ -60,7 +60,7 @@ const TOP: &[&str] = &[
 ];
 const AXIS: &[&str] = &["rotary", "linear", "location", "range"];
 const INSTRUMENT: &[&str] =
-    &["preset", "constant_um", "proportional", "bar_length_um", "temperature_k", "expansion_per_k"];
+    &["preset", "constant_um", "noise_um", "proportional", "bar_length_um", "temperature_k", "expansion_per_k"];
 const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading"];
 const READING: &[&str] = &["displacement"];
 const BALL: &[&str] = &["at", "setup"];

@@ -52,6 +52,8 @@ pub struct StatedInstrument {
     pub temperature: f64,
     /// The bar's expansion, 1/K.
     pub expansion: f64,
+    /// What changes from one reading to the next stays within this, mm; 0 where it is not stated.
+    pub noise: f64,
 }
 
 impl StatedInstrument {

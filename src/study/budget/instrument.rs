@@ -15,6 +15,8 @@ pub struct Instrument {
     pub temperature: f64,
     /// The bar's expansion, 1/K.
     pub expansion: f64,
+    /// Of a reading, from what changes from one to the next, mm: what residuals are held against. 0 where it is not stated.
+    pub noise: f64,
 }
 
 impl Instrument {
@@ -27,6 +29,7 @@ impl Instrument {
             bar_length: std(stated.bar_length),
             temperature: std(stated.temperature),
             expansion: stated.expansion,
+            noise: std(stated.noise),
         }
     }
 }

@@ -9,30 +9,48 @@ pub use noise::Look;
 use super::fit::{Fit, Observation};
 use super::setup::Setup;
 
+/// Residuals this many times the stated noise are more than it: of the noise of a hundred readings one in a million is.
+const MORE: f64 = 1.4;
+
+/// Residuals of a run that are no noise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Odd {
+    /// The run.
+    pub run: String,
+    /// Its residuals.
+    pub look: Look,
+    /// How many times the stated noise they are, where that is stated.
+    pub times: Option<f64>,
+}
+
 /// Runs whose residuals are no noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Misfit {
-    /// Each: its name and its residuals.
-    pub runs: Vec<(String, Look)>,
+    /// Each of them.
+    pub runs: Vec<Odd>,
     /// The one mistake whose undoing makes all of them fit.
     pub mistake: Option<Mistake>,
     /// Known functions were taken as zero: they are in the residuals, and nothing else is looked for.
     pub without_table: bool,
 }
 
-/// Looks at the residuals of a fit; `dropped` is what linearisation usually drops of each observation's readings, mm;
-/// `without_table` says that the known functions were taken as zero.
+/// Looks at the residuals of a fit; `dropped` is what linearisation usually drops of each observation's readings, `noise` the
+/// stated standard deviation of a reading, mm (0 for none); `without_table` says that the known functions were taken as zero.
 pub fn misfit(
     setup: &Setup,
     observations: &[Observation],
     fit: &Fit,
     dropped: &[f64],
+    noise: f64,
     without_table: bool,
 ) -> Option<Misfit> {
-    let look = |o: &Observation| Look::at(&fit.residuals(setup, o));
-    let looks = observations.iter().zip(dropped).map(|(o, dropped)| (o, look(o), *dropped));
-    let odd = looks.filter(|(_, look, dropped)| !look.is_noise(*dropped));
-    let runs: Vec<(String, Look)> = odd.map(|(o, look, _)| (setup.model.runs[o.run].name.clone(), look)).collect();
+    let odd = |(o, dropped): (&Observation, &f64)| {
+        let look = Look::at(&fit.residuals(setup, o));
+        let times = (noise > 0.0).then(|| look.rms / noise.hypot(*dropped));
+        let is_noise = look.is_noise(*dropped) && times.is_none_or(|times| times <= MORE);
+        (!is_noise).then(|| Odd { run: setup.model.runs[o.run].name.clone(), look, times })
+    };
+    let runs: Vec<Odd> = observations.iter().zip(dropped).filter_map(odd).collect();
     if runs.is_empty() {
         return None;
     }

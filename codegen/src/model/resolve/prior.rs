@@ -66,6 +66,7 @@ impl Resolver {
             }
             let (place, value) = match name.value.as_str() {
                 "constant_um" => (&mut instrument.constant, Unit::Um.to_inner(*value)),
+                "noise_um" => (&mut instrument.noise, Unit::Um.to_inner(*value)),
                 "proportional" => (&mut instrument.proportional, *value),
                 "bar_length_um" => (&mut instrument.bar_length, Unit::Um.to_inner(*value)),
                 "temperature_k" => (&mut instrument.temperature, *value),
