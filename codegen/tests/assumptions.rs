@@ -120,3 +120,13 @@ fn every_form_is_read_and_told() {
     }
     assert_eq!(told("EXC = \"0\"").1, 4);
 }
+
+/// A constant called like a base parameter would be: the numbers go on where it is free.
+#[test]
+fn base_parameters_take_no_name_of_the_model() {
+    let file = source("tilting-table-a").unwrap();
+    let renamed = file.replace("\"R\"", "\"k2\"").replace("R_mm", "k2_mm").replace("R*", "k2*").replace("w_y2", "k5");
+    let (_, derivation) = read_and_derive(&renamed).unwrap();
+    let names: Vec<&str> = derivation.base.iter().map(|b| b.name.as_str()).collect();
+    assert_eq!(names[2..], ["k1", "k3", "k4", "k6", "k7", "k8", "k9", "k10", "k11", "k12", "k13"]);
+}

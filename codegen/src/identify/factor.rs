@@ -95,7 +95,13 @@ fn regressor<'a>(
 
 /// Names the base parameters and chooses their signs: a regressor's leading coefficient is positive where it is first seen.
 fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<Base>) -> TiVec<BaseId, Named> {
-    let mut lumped = 0;
+    let alphabet = &model.alphabet;
+    // What the model calls so itself stays the only one of that name.
+    let taken = |name: &String| {
+        let of_model = alphabet.find_constant(name).is_some() || alphabet.find_sweep(name).is_some();
+        of_model || alphabet.find_error(name).is_some() || parameters.iter().any(|p| p.name == *name)
+    };
+    let mut lumped = (1..).map(|n| format!("k{n}")).filter(|name| !taken(name));
     let finish = |b: Base| {
         let parameter = &parameters[b.pivot];
         let estimates = match parameter.origin {
@@ -105,8 +111,8 @@ fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<B
         let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| c.is_negative());
         let flip = estimates.is_none() && leading == Some(true);
         let signed = |f: Fraction| if flip { f.negated() } else { f };
-        lumped += usize::from(estimates.is_none());
-        let name = if estimates.is_some() { parameter.name.clone() } else { format!("k{lumped}") };
+        let own = || parameter.name.clone();
+        let name = if estimates.is_some() { own() } else { lumped.next().unwrap_or_else(own) };
         let definition = sparse(b.definition).into_iter().map(|(j, f)| (j, signed(f))).collect();
         let regressors = b.regressors.into_iter().map(signed).collect();
         (BaseParameter { name, pivot: b.pivot, definition, estimates, run: b.run }, regressors)

@@ -73,6 +73,16 @@ impl Resolver {
             }
         }
         let functions = self.functions(draft, &known);
+        for function in &functions {
+            // A coefficient is called after its error; nothing else may be.
+            for (term, described) in function.basis.functions().iter_enumerated() {
+                let name = format!("{}{}", self.alphabet.error_name(function.error), described.suffix(term));
+                let a = &self.alphabet;
+                if a.find_constant(&name).is_some() || a.find_sweep(&name).is_some() || a.find_error(&name).is_some() {
+                    self.problem::<()>(&function.place, ProblemKind::Taken(name));
+                }
+            }
+        }
         self.turns(&axes, &runs, &functions);
         let assumptions = self.assumptions(draft, &known, &functions);
         let lengths = self.lengths(draft);
