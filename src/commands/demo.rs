@@ -76,7 +76,7 @@ impl DemoArguments {
 
 /// What was recovered against the truth.
 fn recovered(reports: &[(Report, Recovery)]) -> String {
-    let mut out = String::new();
+    let mut out = String::from("± is the expanded uncertainty of 95 %\n");
     for (report, recovery) in reports {
         let _ = writeln!(out, "\n{}: condition {:.1}", report.estimator, report.condition);
         for (name, samples, rms) in &report.runs {
