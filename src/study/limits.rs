@@ -1,5 +1,7 @@
 //! The largest errors that a machine may have.
 
+use trunnion_codegen::algebra::ErrorId;
+use trunnion_codegen::model::Model;
 use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// Largest errors.
@@ -20,7 +22,12 @@ impl ErrorLimits {
         Self { length: length_um * Unit::Um.factor(), angle: angle_urad * Unit::Urad.factor() }
     }
 
-    /// The limit of an error.
+    /// The limit of an error of a model: its own, or that of its kind.
+    pub fn of_error(&self, model: &Model, error: ErrorId) -> f64 {
+        model.limits.of(error).unwrap_or_else(|| self.of(model.alphabet.error_quantity(error)))
+    }
+
+    /// The limit of errors of a kind.
     pub fn of(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Length => self.length,

@@ -207,8 +207,7 @@ impl Setup {
 
     /// The largest size of an error, mm or rad: its own of the model, or that of its kind.
     pub fn limit(&self, error: ErrorId, limits: ErrorLimits) -> f64 {
-        let own = self.model.limits.of(error);
-        own.unwrap_or_else(|| limits.of(self.model.alphabet.error_quantity(error)))
+        limits.of_error(&self.model, error)
     }
 
     /// The same with another value for one of its constants, mm.

@@ -171,6 +171,11 @@ impl Alphabet {
         })
     }
 
+    /// Whether the model calls a constant, a sweep or an error so.
+    pub fn has_name(&self, name: &str) -> bool {
+        self.find_constant(name).is_some() || self.find_sweep(name).is_some() || self.find_error(name).is_some()
+    }
+
     /// True for π, √2 and the set-up's constants: what does not change along a sweep.
     pub fn is_constant(&self, id: NominalId) -> bool {
         matches!(self.nominal(id), Nominal::Pi | Nominal::Root2 | Nominal::Constant(_))
@@ -179,10 +184,7 @@ impl Alphabet {
     /// Name of a nominal symbol in plain text: a single sweep has `s` and `c`, several have `s_a`, `c_a`, …; another
     /// where the model calls something else so, at last `sin(a)` and `cos(a)`.
     pub fn nominal_name(&self, id: NominalId) -> String {
-        let taken = |name: &str| {
-            self.find_constant(name).is_some() || self.find_sweep(name).is_some() || self.find_error(name).is_some()
-        };
-        let both_free = |end: &str| ["s", "c"].into_iter().all(|letter| !taken(&format!("{letter}{end}")));
+        let both_free = |end: &str| ["s", "c"].into_iter().all(|letter| !self.has_name(&format!("{letter}{end}")));
         let trig = |letter: &str, function: &str, sweep: SweepId| {
             let sweep = self.sweep_name(sweep);
             let ends = [String::new(), format!("_{sweep}")];

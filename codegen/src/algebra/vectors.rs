@@ -12,11 +12,6 @@ pub fn sum(a: &PolyVector, b: &PolyVector) -> Result<PolyVector, AlgebraError> {
     each(|i| a[i].plus(&b[i]))
 }
 
-/// `a − b`
-pub fn difference(a: &PolyVector, b: &PolyVector) -> Result<PolyVector, AlgebraError> {
-    each(|i| a[i].minus(&b[i]))
-}
-
 /// `by · vector`, in normal form.
 pub fn scaled(by: &Poly, vector: &PolyVector, alphabet: &Alphabet) -> Result<PolyVector, AlgebraError> {
     each(|i| by.times(&vector[i], Order::NOMINAL)?.normal(alphabet))

@@ -95,12 +95,8 @@ fn regressor<'a>(
 
 /// Names the base parameters and chooses their signs: a regressor's leading coefficient is positive where it is first seen.
 fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<Base>) -> TiVec<BaseId, Named> {
-    let alphabet = &model.alphabet;
     // What the model calls so itself stays the only one of that name.
-    let taken = |name: &String| {
-        let of_model = alphabet.find_constant(name).is_some() || alphabet.find_sweep(name).is_some();
-        of_model || alphabet.find_error(name).is_some() || parameters.iter().any(|p| p.name == *name)
-    };
+    let taken = |name: &String| model.alphabet.has_name(name) || parameters.iter().any(|p| p.name == *name);
     let mut lumped = (1..).map(|n| format!("k{n}")).filter(|name| !taken(name));
     let finish = |b: Base| {
         let parameter = &parameters[b.pivot];

@@ -5,8 +5,10 @@
 //! u(θ) = u cos θ + v sin θ and v(θ) = v cos θ − u sin θ, and D is R·u(θ) (*radial*), R·v(θ) (*tangential*), R·d (*axial*), or
 //! 0 where displacements are read. *Circular* is the circle of the linear axes about a ball on the resting axis (ISO 230-4).
 
-use crate::algebra::vectors::{cross, difference, dot, scaled, sum};
-use crate::algebra::{AlgebraError, Alphabet, Monomial, NominalId, Poly, PolyVector, Rational, nominal_value};
+use crate::algebra::vectors::{cross, dot, scaled, sum};
+use crate::algebra::{
+    AlgebraError, Alphabet, Monomial, NominalId, Poly, PolyVector, Rational, difference, nominal_value,
+};
 use crate::basis::Coordinate;
 use crate::expression::write;
 use crate::ids::AxisId;

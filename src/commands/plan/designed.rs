@@ -12,7 +12,7 @@ use std::time::Duration;
 use trunnion::data::Radius;
 use trunnion::study::plan::design::{Asked, Design, DesignError, Measured, Proposal, design, estimated};
 use trunnion::study::{ErrorLimits, Setup};
-use trunnion_codegen::model::{Draft, Model};
+use trunnion_codegen::model::{Draft, DraftRun, Model};
 use trunnion_codegen::quantity::Unit;
 
 /// What is asked on the command line.
@@ -106,22 +106,18 @@ impl Wanted<'_> {
             let names: Vec<&str> = other.draft.runs.iter().map(|run| run.name.value.as_str()).collect();
             let _ = writeln!(out, "\nInstead: {}\n{}", names.join(", "), summary(other));
         }
-        if others.iter().any(|other| !other.draft.runs.iter().all(|run| own(first, &run.name.value))) {
-            out += "\nRuns of the alternatives\n";
-        }
-        let mut said: Vec<&str> = first.draft.runs.iter().map(|run| run.name.value.as_str()).collect();
+        let mut more: Vec<&DraftRun> = Vec::new();
         for run in others.iter().flat_map(|other| &other.draft.runs) {
-            if !said.contains(&run.name.value.as_str()) {
-                said.push(&run.name.value);
-                let _ = write!(out, "\n{run}");
+            if !first.draft.runs.iter().chain(more.iter().copied()).any(|own| own.name.value == run.name.value) {
+                more.push(run);
             }
         }
+        if !more.is_empty() {
+            out += "\nRuns of the alternatives\n";
+        }
+        more.iter().for_each(|run| out += &format!("\n{run}"));
         out
     }
-}
-
-fn own(proposal: &Proposal, name: &str) -> bool {
-    proposal.draft.runs.iter().any(|run| run.name.value == name)
 }
 
 fn lengths_of(setup: &Setup) -> String {

@@ -8,16 +8,16 @@ mod text;
 use self::designed::Wanted;
 use self::found::Found;
 use super::Refused;
-use super::model::{load, others, source};
+use super::model::{lengths, load, others, source};
 use super::output::print;
 use super::predicted::{self, Measuring};
 use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
 use trunnion::data::Radius;
 use trunnion::data::Unit;
+use trunnion::study::SetupError;
 use trunnion::study::plan::design::{Measured, recommended};
 use trunnion::study::plan::{Comparison, additions, compare};
-use trunnion::study::{SetupError, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
 use trunnion_codegen::model::{Model, read_draft};
@@ -100,12 +100,16 @@ impl PlanArguments {
         })
     }
 
+    fn first_radius(&self) -> Result<Option<Radius>, Refused> {
+        Ok(self.radius.first().map(|&mm| Radius::new(mm)).transpose()?)
+    }
+
     /// What runs are searched for.
     fn wanted(&self, model: &Model) -> Result<Wanted<'_>, Refused> {
         Ok(Wanted {
             functions: &self.functions,
             within: &self.within,
-            radius: self.radius.first().map(|&mm| Radius::new(mm)).transpose()?,
+            radius: self.first_radius()?,
             lengths: &self.lengths,
             limits: self.limits.of(model)?,
             measuring: &self.measuring,
@@ -130,10 +134,9 @@ impl PlanArguments {
 
     /// The first of what is compared, for the recommendation.
     fn measured(&self, model: &Model, comparison: &Comparison) -> Result<Measured, Refused> {
-        let bars = bars(model).into_iter().map(|bar| Some((bar, *self.radius.first()?)));
         let (from, to) = if self.range_deg.is_empty() { RANGES[0] } else { self.range_deg[0] };
         Ok(Measured {
-            lengths: comparison.lengths.iter().cloned().chain(bars.flatten()).collect(),
+            lengths: lengths(model, self.first_radius()?, &self.lengths)?,
             samples: comparison.samples,
             range: (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to)),
             sigma: comparison.sigma,

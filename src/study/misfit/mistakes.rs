@@ -1,6 +1,6 @@
 //! The usual mistakes, made undone one after another.
 
-use super::noise::Look;
+use super::noise::{Look, median_size};
 use crate::study::fit::{Estimator, Observation, Sample, fit};
 use crate::study::setup::Setup;
 use core::fmt;
@@ -71,6 +71,9 @@ const APART: f64 = 50.0;
 
 /// The mistake that explains the data best.
 pub fn explanation(setup: &Setup, observations: &[Observation], estimator: Estimator) -> Option<Mistake> {
+    if let Some(mistake) = spikes(setup, observations, estimator) {
+        return Some(mistake);
+    }
     let score = |observations: &[Observation]| left(setup, observations, estimator);
     let thinned: Vec<Observation> = observations.iter().map(thin).collect();
     let (whole, few) = (score(observations)?, score(&thinned)?);
@@ -78,9 +81,6 @@ pub fn explanation(setup: &Setup, observations: &[Observation], estimator: Estim
     for share in [0.02, 0.05, 0.1] {
         let trimmed: Vec<Observation> = observations.iter().map(|o| trim(o, share)).collect();
         tried.extend(score(&trimmed).map(|left| (Mistake::FeedIn { share }, left / whole)));
-    }
-    if let Some(mistake) = spikes(setup, observations, estimator) {
-        return Some(mistake);
     }
     let undone = undone(setup, &thinned);
     let weighed: Vec<(Mistake, f64)> =
@@ -167,7 +167,7 @@ fn undone(setup: &Setup, observations: &[Observation]) -> Vec<(Mistake, Vec<Obse
             all.push((Mistake::Swapped(name(a), name(b)), swapped));
         }
     }
-    let sizes: Vec<f64> = observations.iter().map(size).collect();
+    let sizes: Vec<f64> = observations.iter().map(|o| median_size(o.samples.iter().map(|s| s.reading))).collect();
     for (i, own) in sizes.iter().enumerate() {
         let others = sizes.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, s)| *s);
         let largest = others.fold(0.0, f64::max);
@@ -192,13 +192,6 @@ fn undone(setup: &Setup, observations: &[Observation]) -> Vec<(Mistake, Vec<Obse
         }
     }
     all
-}
-
-/// The usual size of a run's readings, mm: its median.
-fn size(observation: &Observation) -> f64 {
-    let mut sizes: Vec<f64> = observation.samples.iter().map(|s| s.reading.abs()).collect();
-    sizes.sort_by(f64::total_cmp);
-    sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// A shift between the steps.

@@ -34,10 +34,8 @@ impl Look {
         let expected = 1.0 + 2.0 * above * below / n.max(1) as f64;
         let variance = (expected - 1.0) * (expected - 2.0) / (n as f64 - 1.0).max(1.0);
         let runs = if variance > 0.0 { (expected - changes) / variance.sqrt() } else { 0.0 };
-        let mut sizes: Vec<f64> = residuals.iter().map(|e| e.abs()).collect();
-        sizes.sort_by(f64::total_cmp);
-        // The median of the sizes of a normal distribution is 0.6745 of its deviation.
-        let scale = sizes.get(n / 2).copied().unwrap_or(0.0) / 0.6745;
+        // That of a normal distribution is 0.6745 of its deviation.
+        let scale = median_size(residuals.iter().copied()) / 0.6745;
         let far = |(i, e): (usize, &f64)| (e.abs() > FAR * scale && scale > 0.0).then_some(i);
         let spikes = residuals.iter().enumerate().filter_map(far).collect();
         Self { rms: (squares / n.max(1) as f64).sqrt(), correlation, runs, spikes, samples: n }
@@ -62,6 +60,13 @@ impl Look {
         let r = self.correlation.min(MOST);
         (1.0 + r) / (1.0 - r)
     }
+}
+
+/// The median of the sizes of numbers, the upper one of two; 0 of none.
+pub(super) fn median_size(numbers: impl Iterator<Item = f64>) -> f64 {
+    let mut sizes: Vec<f64> = numbers.map(f64::abs).collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

@@ -77,8 +77,7 @@ impl Resolver {
             // A coefficient is called after its error; nothing else may be.
             for (term, described) in function.basis.functions().iter_enumerated() {
                 let name = format!("{}{}", self.alphabet.error_name(function.error), described.suffix(term));
-                let a = &self.alphabet;
-                if a.find_constant(&name).is_some() || a.find_sweep(&name).is_some() || a.find_error(&name).is_some() {
+                if self.alphabet.has_name(&name) {
                     self.problem::<()>(&function.place, ProblemKind::Taken(name));
                 }
             }

@@ -22,9 +22,7 @@ impl Resolver {
             self.problem::<()>(&text.span, ProblemKind::NotAName(text.value.clone()));
             return false;
         }
-        let a = &self.alphabet;
-        let taken = a.find_constant(name).is_some() || a.find_sweep(name).is_some() || a.find_error(name).is_some();
-        let free = !taken && !["pi", "sin", "cos", "sqrt", "rest", "f"].contains(&name);
+        let free = !self.alphabet.has_name(name) && !["pi", "sin", "cos", "sqrt", "rest", "f"].contains(&name);
         if !free {
             self.problem::<()>(&text.span, ProblemKind::Taken(text.value.clone()));
         }

@@ -6,7 +6,7 @@
 //! don't from the limits. Directions of which all runs together say nothing are split off first.
 
 use super::choices::Choices;
-use crate::study::plan::subset;
+use crate::study::plan::{subset, uniform_std};
 use crate::study::visited::{between, visited};
 use crate::study::{ErrorLimits, Setup, SetupError, grid};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
@@ -75,7 +75,7 @@ impl Parameters {
     /// Column and standard deviation, `beyond` times that of the limit.
     fn of(&self, name: &str, beyond: f64) -> Option<(usize, f64)> {
         let own = self.0.get(name)?;
-        Some((own.column, beyond * own.limit / 3f64.sqrt() / own.size))
+        Some((own.column, beyond * uniform_std(own.limit) / own.size))
     }
 }
 

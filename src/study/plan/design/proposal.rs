@@ -3,7 +3,7 @@
 use super::choices::{Choices, with_runs};
 use super::pool::{Measured, Pool};
 use super::search::{Enough, Next, Within, fewest};
-use crate::study::plan::{Intended, Prediction, predict};
+use crate::study::plan::{Intended, Prediction, predict, uniform_std};
 use crate::study::{EstimateError, Estimator, Setup, SetupError};
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -168,13 +168,9 @@ fn weigh(
     let mut determined = true;
     for (&function, wanted) in functions.iter().zip(wanted) {
         let least = best.get(&function).copied().unwrap_or(f64::INFINITY);
-        let limit = choices
-            .model
-            .functions
-            .get(function)
-            .map_or(f64::INFINITY, |f| asked.measured.limits.of(choices.model.alphabet.error_quantity(f.error)));
+        let limit = asked.measured.limits.of_error(&choices.model, choices.model.functions[function].error);
         // Of what is not determined the limits are all that is known.
-        determined &= least < wanted.unwrap_or(limit / 3f64.sqrt());
+        determined &= least < wanted.unwrap_or(uniform_std(limit));
         within.insert(function, wanted.map_or(NEAR * least, |wanted| wanted.max(NEAR * least)));
     }
     Ok(Weighed { pool, within, best, determined })

@@ -34,7 +34,7 @@ pub fn recommended(draft: &Draft, model: &Model, measured: &Measured) -> Result<
     let mut recommended = Vec::new();
     for function in functions {
         let best = pool.uncertainties(&known, [function].into_iter()).and_then(|all| all.get(&function).copied());
-        let limit = measured.limits.of(model.alphabet.error_quantity(model.functions[function].error));
+        let limit = measured.limits.of_error(model, model.functions[function].error);
         // Of what they do not determine the limits are all that is known.
         let Some(best) = best.filter(|best| *best < limit) else { continue };
         let within = Within::from([(function, NEAR * best)]);
