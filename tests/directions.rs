@@ -77,6 +77,15 @@ fn both_directions_are_data_and_their_hysteresis_is_told() {
         .iter_enumerated()
         .map(|(id, run)| (run.name.clone(), lines(&setup, 4, id, false).concat()))
         .collect();
+    // Lines in no order have no direction.
+    let shuffled: Vec<(String, String)> = plain
+        .iter()
+        .map(|(run, text)| {
+            let lines: Vec<&str> = text.split_inclusive('\n').collect();
+            (run.clone(), (0..lines.len()).map(|i| lines[i * 89 % lines.len()]).collect())
+        })
+        .collect();
+    assert!(reported(&setup, &shuffled).hysteresis.is_empty());
     let plain = reported(&setup, &plain);
     assert!(plain.hysteresis.is_empty());
     let mut said = String::new();
