@@ -102,7 +102,7 @@ fn check(name: &str, setup: &Setup, limits: ErrorLimits) {
                 .observe(run, &exact[usize::from(run)], &sweeps, &machine, || random.random_range(-1.0..=1.0) * NOISE);
             let mut row = setup.row(run);
             let less = |s: &trunnion::study::Sample| {
-                let known: f64 = row.at(s.sweep).1.iter().zip(&s.known).map(|(f, k)| f * k).sum();
+                let known: f64 = row.at(s.sweep, s.direction).1.iter().zip(&s.known).map(|(f, k)| f * k).sum();
                 s.reading - known
             };
             observed.samples.iter().map(less).collect()

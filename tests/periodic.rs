@@ -79,7 +79,7 @@ fn samples_called_whole_turns_away_give_the_same_fit() {
         for (o, m) in observations.iter().zip(&moved) {
             let (mut row, mut other) = (setup.row(o.run), setup.row(o.run));
             for (s, t) in o.samples.iter().zip(&m.samples) {
-                for (a, b) in row.at(s.sweep).0.iter().zip(other.at(t.sweep).0) {
+                for (a, b) in row.at(s.sweep, 1.0).0.iter().zip(other.at(t.sweep, 1.0).0) {
                     assert!((a - b).abs() < 1e-8 * (1.0 + a.abs()), "{what}: {a} {b}");
                 }
             }

@@ -10,6 +10,7 @@ use trunnion_codegen::algebra::{Monomial, Poly, Rational, at};
 use trunnion_codegen::basis::Coordinate;
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::ids::{FunctionId, RunId};
+use trunnion_codegen::kinematics::directions;
 
 /// The readings' column of a run with a file of its own, without the unit.
 const READING: &str = "dr";
@@ -147,10 +148,12 @@ fn observation(
             vec![TableValues { values: zero.clone(), stds: zero }; sweep.samples().len()]
         }
     };
-    let samples = sweep.samples().iter().zip(known);
+    let sweeps: Vec<f64> = sweep.samples().iter().map(|s| s.angle_rad).collect();
+    let samples = sweep.samples().iter().zip(directions(&sweeps)).zip(known);
     let samples = samples
-        .map(|(s, TableValues { values, stds })| Sample {
+        .map(|((s, direction), TableValues { values, stds })| Sample {
             sweep: s.angle_rad,
+            direction,
             reading: s.reading_mm,
             known: values,
             known_std: stds,

@@ -24,7 +24,7 @@ pub enum EstimateError {
     },
     /// The samples do not tell coefficients apart.
     #[error(
-        "{}: these samples cannot tell {} apart\n  measure at more angles over a longer arc, or leave terms out of the bases under [function]",
+        "{}: these samples cannot tell {} apart\n  measure at more angles over a longer arc, runs with `nuisance` in both directions, or leave terms out",
         .runs.join(", "),
         .coefficients.join(", ")
     )]
@@ -34,6 +34,12 @@ pub enum EstimateError {
         /// The coefficients concerned.
         coefficients: Vec<String>,
     },
+    /// A run has terms that turn with the direction, and its samples are in no order in time.
+    #[error(
+        "{0}: the samples go up and down in no order, so that nobody knows which way the axes moved\n  \
+         expected them in the order in which they were taken, or a run without `nuisance`"
+    )]
+    NoDirection(String),
     /// A sample, or a result, is not finite.
     #[error("a value is too large for the arithmetic\n  check the readings, the table and their units")]
     NotFinite,
@@ -65,6 +71,7 @@ impl EstimateError {
             FitError::Confounded { runs: of, base } => {
                 Self::Confounded { runs: runs(of), coefficients: coefficients(base) }
             }
+            FitError::NoDirection(run) => Self::NoDirection(setup.model.runs[run].name.clone()),
             FitError::NotFinite => Self::NotFinite,
             FitError::NoFirstStep => Self::NoFirstStep,
             FitError::TooManyCoefficients(count) => Self::TooManyCoefficients(count),

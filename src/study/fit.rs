@@ -54,6 +54,8 @@ pub enum FitError {
         /// The base parameters concerned.
         base: Vec<BaseId>,
     },
+    /// A run has terms that turn with the direction, and its samples are in no order in time.
+    NoDirection(RunId),
     /// A sample, or a result, is not finite.
     NotFinite,
     /// No run is without an estimated function, so there is no first step.
@@ -107,6 +109,11 @@ pub fn fit_with(
     estimator: Estimator,
     variance: Variance,
 ) -> Result<Fit, FitError> {
+    let unordered =
+        |o: &&Observation| !setup.model.runs[o.run].nuisance.is_empty() && o.samples.iter().all(|s| s.direction == 0.0);
+    if let Some(observation) = observations.iter().find(unordered) {
+        return Err(FitError::NoDirection(observation.run));
+    }
     let steps = steps(setup, observations, estimator)?;
     let (base, columns) = columns(setup, observations, &steps);
     let mut problem = sized::estimator(&columns).ok_or(FitError::TooManyCoefficients(base.len()))?;
@@ -198,7 +205,7 @@ fn push(
     let mut row = vec![0.0; columns.len()];
     let mut evaluator = setup.row(observation.run);
     for sample in &observation.samples {
-        let (regressors, factors) = evaluator.at(sample.sweep);
+        let (regressors, factors) = evaluator.at(sample.sweep, sample.direction);
         for (&x, place) in regressors.iter().zip(&places) {
             if let Some(at) = place {
                 row[*at] = x;
@@ -226,7 +233,7 @@ impl Fit {
         let places = self.places(setup, observation);
         let mut evaluator = setup.row(observation.run);
         let residual = |sample: &Sample| {
-            let (row, factors) = evaluator.at(sample.sweep);
+            let (row, factors) = evaluator.at(sample.sweep, sample.direction);
             let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
             let model: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * self.values[(*at)?])).sum();
             sample.reading - known - model
@@ -288,7 +295,7 @@ impl Fit {
             let places = self.places(setup, observation);
             let mut evaluator = setup.row(observation.run);
             let one = |s: &Sample| {
-                let (row, _) = evaluator.at(s.sweep);
+                let (row, _) = evaluator.at(s.sweep, s.direction);
                 let sum: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * moved[(*at)?])).sum();
                 sum * observation.weight
             };

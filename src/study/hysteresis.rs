@@ -8,9 +8,6 @@ use trunnion_codegen::ids::RunId;
 /// Steps of a turn over which readings of one direction are averaged.
 const STEPS: usize = 180;
 
-/// Samples between two turns of the direction, at least: fewer are no order in time.
-const PER_TURN: usize = 8;
-
 /// What a run reads with the sweep increasing and decreasing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hysteresis {
@@ -32,15 +29,8 @@ pub(super) fn hysteresis(setup: &Setup, observations: &[Observation]) -> Vec<Hys
         // Sums and counts of readings by direction and by step of the turn.
         let mut sums = [vec![(0.0, 0usize); STEPS], vec![(0.0, 0); STEPS]];
         for observation in observations.iter().filter(|o| o.run == run) {
-            let samples = &observation.samples;
-            let mut directions: Vec<usize> =
-                samples.windows(2).map(|pair| usize::from(pair[1].sweep < pair[0].sweep)).collect();
-            directions.extend(directions.last().copied());
-            let turns = directions.windows(2).filter(|pair| pair[0] != pair[1]).count();
-            if turns * PER_TURN > samples.len() {
-                continue;
-            }
-            for (sample, &direction) in samples.iter().zip(&directions) {
+            for sample in observation.samples.iter().filter(|s| s.direction != 0.0) {
+                let direction = usize::from(sample.direction < 0.0);
                 let step = (sample.sweep.rem_euclid(TAU) / TAU * STEPS as f64) as usize % STEPS;
                 sums[direction][step].0 += sample.reading;
                 sums[direction][step].1 += 1;

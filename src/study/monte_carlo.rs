@@ -5,7 +5,6 @@ use super::estimate::{EstimateError, fit};
 use super::fit::{Estimator, Observation};
 use super::limits::ErrorLimits;
 use super::setup::Setup;
-use super::simulate::grid;
 use super::told::Told;
 use super::visited::{between, visited};
 use rand::{RngExt, SeedableRng};
@@ -83,7 +82,7 @@ struct KnownFactors(Vec<Vec<f64>>);
 impl KnownFactors {
     fn new(setup: &Setup, run: RunId, sweeps: &[f64]) -> Self {
         let mut row = setup.row(run);
-        Self(sweeps.iter().map(|&sweep| row.at(sweep).1.to_vec()).collect())
+        Self(sweeps.iter().map(|&sweep| row.at(sweep, 1.0).1.to_vec()).collect())
     }
 
     /// Takes the known functions' part from the readings.
@@ -110,8 +109,7 @@ pub fn monte_carlo(
     done: &(dyn Fn() + Sync),
 ) -> Result<(Told, Vec<Trial>), EstimateError> {
     let runs = || setup.model.runs.keys();
-    let sweeps: TiVec<RunId, Vec<f64>> =
-        runs().map(|run| grid(draws.samples, setup.sweep_range(run, draws.range))).collect();
+    let sweeps: TiVec<RunId, Vec<f64>> = runs().map(|run| setup.swept(run, draws.samples, draws.range)).collect();
     let exact: TiVec<RunId, ExactReading> = runs().map(|run| setup.exact(run, &sweeps[run])).collect();
     // The estimate is linear in the readings: its matrix is worked out once, on readings of zero.
     let observations: Vec<Observation> = runs().map(|run| Observation::zero(setup, run, &sweeps[run])).collect();

@@ -2,11 +2,12 @@
 
 use super::limits::ErrorLimits;
 use super::setup::{Setup, SetupError};
-use trunnion_codegen::algebra::{Monomial, Nominal, Order};
-use trunnion_codegen::emit::model::poly;
+use trunnion_codegen::algebra::{Monomial, Nominal, NominalId, Order};
+use trunnion_codegen::emit::model::{poly, senses};
 use trunnion_codegen::graph::{Graph, Symbol, Tape};
 use trunnion_codegen::identify::DeriveError;
 use trunnion_codegen::ids::RunId;
+use trunnion_codegen::kinematics::directions;
 use trunnion_codegen::measurement::reading;
 
 /// The neglected part of one run's reading.
@@ -27,16 +28,18 @@ impl Neglected {
 }
 
 /// The second-order terms of a run's reading, ready to evaluate along it.
-pub(super) struct SecondOrder {
+pub(super) struct SecondOrder<'a> {
+    setup: &'a Setup,
     /// The products of two errors.
     pub products: Vec<Monomial>,
     tape: Tape,
     inputs: Vec<f64>,
+    senses: Vec<NominalId>,
 }
 
-impl SecondOrder {
+impl<'a> SecondOrder<'a> {
     /// Derives a run at order 2.
-    pub fn new(setup: &Setup, run: RunId) -> Result<Self, SetupError> {
+    pub fn new(setup: &'a Setup, run: RunId) -> Result<Self, SetupError> {
         let model = &setup.model;
         let refused = |e| SetupError::derivation(model, &e);
         let order = Order::new(2).map_err(|e| refused(DeriveError::Algebra(e)))?;
@@ -47,21 +50,21 @@ impl SecondOrder {
         let outputs: Vec<_> = terms.iter().map(|(_, p)| poly(&mut graph, &model.alphabet, p)).collect();
         let lengths = model.alphabet.nominals().filter(|(_, n)| matches!(n, Nominal::Constant(_))).map(|(id, _)| id);
         let [sweep, ..] = model.alphabet.sweep_symbols(model.runs[run].sweep);
-        let symbols: Vec<Symbol> = lengths.chain([sweep]).map(Symbol::Nominal).collect();
+        let senses = senses(model, run);
+        let symbols: Vec<Symbol> = lengths.chain([sweep]).chain(senses.iter().copied()).map(Symbol::Nominal).collect();
         let tape = Tape::new(&graph.lower(&symbols, &outputs)?);
-        let inputs = model.alphabet.constants().map(|n| setup.constant(n)).chain([0.0]).collect();
-        Ok(Self { products: terms.into_iter().map(|(errors, _)| errors).collect(), tape, inputs })
+        let mut inputs: Vec<f64> = model.alphabet.constants().map(|n| setup.constant(n)).collect();
+        inputs.resize(symbols.len(), 0.0);
+        Ok(Self { setup, products: terms.into_iter().map(|(errors, _)| errors).collect(), tape, inputs, senses })
     }
 
-    /// Calls `each` at every sweep with the sample's position and the factor of every product.
-    pub fn along(&self, sweeps: impl Iterator<Item = f64>, mut each: impl FnMut(usize, &[f64])) {
+    /// Calls `each` at every sweep, which is reached in a direction, with the sample's position and the factor of every product.
+    pub fn along(&self, places: impl Iterator<Item = (f64, f64)>, mut each: impl FnMut(usize, &[f64])) {
         let mut evaluator = self.tape.evaluator();
         let mut inputs = self.inputs.clone();
         let mut values = vec![0.0; self.products.len()];
-        for (i, sweep) in sweeps.enumerate() {
-            if let Some(last) = inputs.last_mut() {
-                *last = sweep;
-            }
+        for (i, (sweep, direction)) in places.enumerate() {
+            self.setup.place(&mut inputs, &self.senses, sweep, direction);
             let evaluated = evaluator.evaluate(&inputs, &mut values);
             debug_assert_eq!(evaluated, Ok(()), "the tape was made for these inputs");
             each(i, &values);
@@ -88,7 +91,7 @@ pub fn neglected(setup: &Setup, run: RunId, sweeps: &[f64], limits: ErrorLimits)
     let sizes: Vec<f64> = second.products.iter().map(|errors| product_size(setup, errors, limits)).collect();
     let mut largest = vec![0.0f64; sizes.len()];
     let mut bound = Vec::with_capacity(sweeps.len());
-    second.along(sweeps.iter().copied(), |_, values| {
+    second.along(sweeps.iter().copied().zip(directions(sweeps)), |_, values| {
         let parts = || values.iter().zip(&sizes).map(|(v, s)| v.abs() * s);
         bound.push(parts().sum());
         for (l, part) in largest.iter_mut().zip(parts()) {

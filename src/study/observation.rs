@@ -2,12 +2,15 @@
 
 use super::setup::Setup;
 use trunnion_codegen::ids::RunId;
+use trunnion_codegen::kinematics::directions;
 
 /// One sample of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// The sweep, rad.
     pub sweep: f64,
+    /// Which way the sweep goes: 1 increasing, −1 decreasing, 0 where that is not known.
+    pub direction: f64,
     /// The reading, mm.
     pub reading: f64,
     /// Values of the run's known functions (mm or rad), in the order of its derivation.
@@ -28,12 +31,19 @@ pub struct Observation {
 }
 
 impl Observation {
-    /// A run at the given sweeps (rad) with all readings zero: for what does not depend on readings.
+    /// A run at the given sweeps (rad), in the order in which they are visited, with all readings zero: for what does not depend on readings.
     pub fn zero(setup: &Setup, run: RunId, sweeps: &[f64]) -> Self {
         let known = vec![0.0; setup.derivation.runs[run].known.len()];
         let samples = sweeps
             .iter()
-            .map(|&sweep| Sample { sweep, reading: 0.0, known: known.clone(), known_std: Vec::new() })
+            .zip(directions(sweeps))
+            .map(|(&sweep, direction)| Sample {
+                sweep,
+                direction,
+                reading: 0.0,
+                known: known.clone(),
+                known_std: Vec::new(),
+            })
             .collect();
         Self { run, weight: 1.0, samples }
     }

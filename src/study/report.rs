@@ -82,7 +82,7 @@ pub fn report(
         let budget = sources.coefficient(b);
         EstimatedCoefficient {
             name: name(b),
-            definition: (!setup.derivation.is_alone(b) || setup.derivation.base[b].estimates.is_none())
+            definition: (!setup.derivation.is_alone(b) || !setup.derivation.has_own_name(b))
                 .then(|| equations::definition(&setup.model, &setup.derivation, &setup.derivation.base[b])),
             value: fit.values[i],
             noise_std: fit.covariance[(i, i)].max(0.0).sqrt(),

@@ -34,7 +34,7 @@ impl Fit {
             let mut sum = DMatrix::zeros(self.base.len(), count);
             let mut evaluator = setup.row(observation.run);
             for sample in &observation.samples {
-                let (row, factors) = evaluator.at(sample.sweep);
+                let (row, factors) = evaluator.at(sample.sweep, sample.direction);
                 by.fill(0.0);
                 of(Disturbed { observation: at, sample, factors }, &mut by);
                 for (x, place) in row.iter().zip(&places).filter_map(|(x, place)| Some((x, (*place)?))) {

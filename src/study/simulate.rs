@@ -4,7 +4,7 @@ use super::draw::SimulatedMachine;
 use super::fit::{Observation, Sample};
 use super::setup::Setup;
 use trunnion_codegen::ids::RunId;
-use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::kinematics::{ErrorValues, directions};
 use trunnion_codegen::measurement::ExactReading;
 
 /// `samples` equal steps over `range` (rad), the end left out: a whole turn does not visit its start twice.
@@ -13,6 +13,22 @@ pub fn grid(samples: usize, range: (f64, f64)) -> Vec<f64> {
 }
 
 impl Setup {
+    /// The sweep of a run at `samples` equal steps over `range` (rad), as far as its axes go; there and back where the run has
+    /// terms that turn with the direction.
+    pub fn swept(&self, run: RunId, samples: usize, range: (f64, f64)) -> Vec<f64> {
+        self.both_ways(run, grid(samples, self.sweep_range(run, range)))
+    }
+
+    /// `there`, and back where the run has terms that turn with the direction.
+    pub fn both_ways(&self, run: RunId, mut there: Vec<f64>) -> Vec<f64> {
+        if !self.model.runs[run].nuisance.is_empty() {
+            there.extend_from_within(..);
+            let back = there.len() / 2;
+            there[back..].reverse();
+        }
+        there
+    }
+
     /// A run and its instrument at the given values of its sweep, rad: what it reads comes from full 4×4 products, nothing
     /// linearised.
     pub fn exact(&self, run: RunId, sweeps: &[f64]) -> ExactReading {
@@ -30,13 +46,15 @@ impl Setup {
         mut noise: impl FnMut() -> f64,
     ) -> Observation {
         let known = self.true_known(run, exact, machine);
-        let sample = |(i, (&sweep, clean)): (usize, (&f64, f64))| Sample {
+        let sample = |(i, ((&sweep, direction), clean)): (usize, ((&f64, f64), f64))| Sample {
             sweep,
+            direction,
             reading: clean + noise(),
             known: known.get(i).cloned().unwrap_or_default(),
             known_std: Vec::new(),
         };
-        let samples = sweeps.iter().zip(exact.values(machine)).enumerate().map(sample).collect();
+        let samples =
+            sweeps.iter().zip(directions(sweeps)).zip(exact.values(machine)).enumerate().map(sample).collect();
         Observation { run, weight: 1.0, samples }
     }
 

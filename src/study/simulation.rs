@@ -18,7 +18,7 @@ use typed_index_collections::TiVec;
 pub struct Simulation {
     /// Seed of the random numbers: the same seed gives the same machine and readings.
     pub seed: u64,
-    /// Samples of each run.
+    /// Samples of each run; of each direction where it has terms that turn with it.
     pub samples: usize,
     /// Half width of the uniform noise of the readings, µm.
     pub noise_um: f64,
@@ -51,7 +51,7 @@ impl Simulation {
         let degrees = |rad: f64| (rad.to_degrees() * 1e9).round() / 1e9;
         let whole = (first, end) == self.range();
         let range = if whole { self.range_deg } else { (degrees(first), degrees(end)) };
-        grid(self.samples, range).into_iter().map(f64::to_radians).collect()
+        setup.both_ways(run, grid(self.samples, range).into_iter().map(f64::to_radians).collect())
     }
 
     /// A run's sweep at every sample and at the end, rad: a whole turn visits its end, too.

@@ -4,7 +4,6 @@ use super::estimate::{EstimateError, fit};
 use super::fit::{Estimator, Observation};
 use super::monte_carlo::{Draws, Spread, Trial, monte_carlo};
 use super::setup::Setup;
-use super::simulate::grid;
 use super::told::Told;
 use super::warning::{Warning, goes_round};
 use thiserror::Error;
@@ -85,7 +84,7 @@ pub fn studies(
 /// # Errors
 /// [`EstimateError`]
 pub fn design_warning(setup: &Setup, draws: Draws, estimator: Estimator) -> Result<Option<Warning>, EstimateError> {
-    let sweeps = |run| grid(draws.samples, setup.sweep_range(run, draws.range));
+    let sweeps = |run| setup.swept(run, draws.samples, draws.range);
     let zero = |run| Observation::zero(setup, run, &sweeps(run));
     let design: Vec<Observation> = setup.model.runs.keys().map(zero).collect();
     let separation = fit(setup, &design, estimator)?.separation;

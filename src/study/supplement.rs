@@ -11,7 +11,6 @@ use super::estimate::{EstimateError, fit_with};
 use super::fit::{Estimator, Observation, Variance};
 use super::monte_carlo::Draws;
 use super::setup::{Setup, coordinate};
-use super::simulate::grid;
 use super::slow::{SLOW, slow};
 use super::told::Told;
 use super::visited::{between, visited};
@@ -65,8 +64,7 @@ pub fn supplement(
     instrument: &Instrument,
 ) -> Result<Vec<Checked>, EstimateError> {
     let runs = || setup.model.runs.keys();
-    let sweeps: TiVec<RunId, Vec<f64>> =
-        runs().map(|run| grid(draws.samples, setup.sweep_range(run, draws.range))).collect();
+    let sweeps: TiVec<RunId, Vec<f64>> = runs().map(|run| setup.swept(run, draws.samples, draws.range)).collect();
     let exact: TiVec<RunId, ExactReading> = runs().map(|run| setup.exact(run, &sweeps[run])).collect();
     // One measurement stands for all in what is proportional to the readings.
     let mut first = ChaCha8Rng::seed_from_u64(draws.seed);
@@ -108,7 +106,7 @@ pub fn supplement(
                     let sweep = sweeps[run][i];
                     let noise = random.random_range(-1.0..=1.0) * draws.noise;
                     let explained: f64 =
-                        row.at(sweep).1.iter().zip(known.get(i).into_iter().flatten()).map(|(f, k)| f * k).sum();
+                        row.at(sweep, 1.0).1.iter().zip(known.get(i).into_iter().flatten()).map(|(f, k)| f * k).sum();
                     clean + noise + common.error(setup, run, sweep, clean) - explained
                 };
                 exact[run].values(&machine).enumerate().map(reading).collect()

@@ -46,7 +46,7 @@ fn no_drawn_machine_is_further_from_linear_than_the_bound() {
             let clean: Vec<f64> = exact.values(&machine).collect();
             let mut row = set.setup.row(run);
             for (i, &a) in sweeps.iter().enumerate() {
-                let (regressors, factors) = row.at(a);
+                let (regressors, factors) = row.at(a, 1.0);
                 let names = &set.setup.derivation.runs[run].regressors;
                 let linear: f64 = regressors.iter().zip(names).map(|(x, (b, _))| x * base[*b]).sum();
                 let given: f64 = factors.iter().zip(known.get(i).into_iter().flatten()).map(|(f, k)| f * k).sum();

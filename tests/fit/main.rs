@@ -58,6 +58,7 @@ impl Set {
             let samples = samples
                 .map(|(i, s)| Sample {
                     sweep: s.angle_rad,
+                    direction: 1.0,
                     reading: s.reading_mm,
                     known: known(i),
                     known_std: Vec::new(),

@@ -175,7 +175,8 @@ fn observations(case: &Case, parameters: &DVector<f64>, noise: f64, random: &mut
     let runs = case.sweeps.iter().enumerate().map(|(n, sweeps)| {
         let run = RunId::from(n);
         let sample = |(i, sweep): (usize, &f64)| {
-            let mut sample = Sample { sweep: *sweep, reading: 0.0, known: Vec::new(), known_std: Vec::new() };
+            let mut sample =
+                Sample { sweep: *sweep, direction: 1.0, reading: 0.0, known: Vec::new(), known_std: Vec::new() };
             sample.reading = (case.folded[n].row(i) * parameters)[0] + noise * random.random_range(-1.0..1.0);
             for (function, _) in &derived[run].known {
                 let value = random.random_range(-1e-3..1e-3);

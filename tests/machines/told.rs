@@ -14,7 +14,7 @@ pub fn readings(case: &Case) {
         let derived = &setup.derivation.runs[run];
         let mut row = setup.row(run);
         for (i, &sweep) in sweeps.iter().enumerate() {
-            let (regressors, factors) = row.at(sweep);
+            let (regressors, factors) = row.at(sweep, 1.0);
             let mut read = nalgebra::RowDVector::zeros(case.reference.width());
             let mut size = 1e-3;
             for ((base, _), regressor) in derived.regressors.iter().zip(regressors) {

@@ -1,5 +1,6 @@
 //! The symbols of one model and what the normal form knows about them.
 
+use super::sense::Sense;
 use super::wrapped::WrappedAngle;
 use super::{AlgebraError, ErrorId, MAX_NOMINALS, NominalId, SweepId};
 use crate::quantity::Quantity;
@@ -23,6 +24,13 @@ pub enum Nominal {
     Wrapped {
         /// The angle and where its turn begins.
         angle: WrappedAngle,
+        /// Its name.
+        name: String,
+    },
+    /// The sign of a velocity: which way something moves.
+    Sense {
+        /// Whose.
+        sense: Sense,
         /// Its name.
         name: String,
     },
@@ -94,6 +102,20 @@ impl Alphabet {
     /// The symbol of a wrapped angle, if a run has it.
     pub fn find_wrapped(&self, wanted: WrappedAngle) -> Option<NominalId> {
         let is = |n: &Nominal| matches!(n, Nominal::Wrapped { angle, .. } if *angle == wanted);
+        self.nominals.iter().position(is).map(|i| NominalId(i as u8))
+    }
+
+    /// The symbol of a sense, made with the name if it is new.
+    pub fn sense(&mut self, sense: Sense, name: String) -> Result<NominalId, AlgebraError> {
+        match self.find_sense(&sense) {
+            Some(id) => Ok(id),
+            None => self.add(Nominal::Sense { sense, name }),
+        }
+    }
+
+    /// The symbol of a sense, if a run has it.
+    pub fn find_sense(&self, wanted: &Sense) -> Option<NominalId> {
+        let is = |n: &Nominal| matches!(n, Nominal::Sense { sense, .. } if sense == wanted);
         self.nominals.iter().position(is).map(|i| NominalId(i as u8))
     }
 
@@ -171,9 +193,13 @@ impl Alphabet {
         })
     }
 
-    /// Whether the model calls a constant, a sweep or an error so.
+    /// Whether the model calls a constant, a sweep, a sense or an error so.
     pub fn has_name(&self, name: &str) -> bool {
-        self.find_constant(name).is_some() || self.find_sweep(name).is_some() || self.find_error(name).is_some()
+        let is_sense = |n: &Nominal| matches!(n, Nominal::Sense { name: own, .. } if own == name);
+        self.nominals.iter().any(is_sense)
+            || self.find_constant(name).is_some()
+            || self.find_sweep(name).is_some()
+            || self.find_error(name).is_some()
     }
 
     /// True for π, √2 and the set-up's constants: what does not change along a sweep.
@@ -194,7 +220,7 @@ impl Alphabet {
         match self.nominal(id) {
             Nominal::Pi => "pi".to_owned(),
             Nominal::Root2 => "sqrt(2)".to_owned(),
-            Nominal::Constant(name) | Nominal::Wrapped { name, .. } => name.clone(),
+            Nominal::Constant(name) | Nominal::Wrapped { name, .. } | Nominal::Sense { name, .. } => name.clone(),
             Nominal::Sweep(sweep) => self.sweep_name(*sweep).to_owned(),
             Nominal::Sin(sweep) => trig("s", "sin", *sweep),
             Nominal::Cos(sweep) => trig("c", "cos", *sweep),

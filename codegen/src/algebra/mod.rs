@@ -5,6 +5,7 @@
 
 mod alphabet;
 mod angle;
+mod derivative;
 mod elimination;
 mod fraction;
 mod gcd;
@@ -14,6 +15,8 @@ mod modular;
 mod monomial;
 mod poly;
 mod rational;
+mod reversal;
+mod sense;
 mod symbol;
 mod turn;
 mod value;
@@ -31,9 +34,10 @@ pub(crate) use matrix::{difference, dot};
 pub use monomial::{MAX_ERROR_ORDER, MAX_NOMINALS, Monomial, Powers};
 pub use poly::{Order, Poly, Term};
 pub use rational::{Rational, integer, to_f64};
+pub use sense::Sense;
 pub use symbol::{ErrorId, NominalId, SweepId};
 pub use turn::Turned;
-pub use value::{at, nominal_value, whole_turns, wrapped_value};
+pub use value::{at, nominal_value, sign, whole_turns, wrapped_value};
 pub use wrapped::WrappedAngle;
 
 /// Why an exact computation could not be carried out.
@@ -44,7 +48,7 @@ pub enum AlgebraError {
     ExponentOverflow,
     /// A divisor was zero.
     DivisionByZero,
-    /// More nominal symbols (constants, sweeps, their sines and cosines) than a monomial holds.
+    /// More nominal symbols (constants, sweeps, their sines and cosines, senses) than a monomial holds.
     TooManyNominals,
     /// More error symbols than identifiers.
     TooManyErrors,
@@ -59,7 +63,9 @@ impl core::fmt::Display for AlgebraError {
         let text = match self {
             Self::ExponentOverflow => "an exponent left -127..127",
             Self::DivisionByZero => "division by zero",
-            Self::TooManyNominals => "more than 16 constants, sweeps, sines and cosines in one model",
+            Self::TooManyNominals => {
+                "more than 24 constants, sweeps, their sines and cosines, and directions of motion in one model"
+            }
             Self::TooManyErrors => "more than 65535 error symbols in one model",
             Self::TooLong => {
                 "the coefficients grow beyond use: fewer runs, lower degrees or simpler directions give shorter ones"

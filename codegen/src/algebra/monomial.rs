@@ -3,7 +3,7 @@
 use super::{AlgebraError, ErrorId, NominalId};
 
 /// Nominal symbols a monomial has room for.
-pub const MAX_NOMINALS: usize = 16;
+pub const MAX_NOMINALS: usize = 24;
 /// Errors a monomial has room for, so the highest order of truncation.
 pub const MAX_ERROR_ORDER: usize = 8;
 

@@ -1,6 +1,6 @@
 //! Numbers for symbols: what a polynomial is at a value of its sweep.
 
-use super::{Alphabet, Harmonic, Harmonics, Nominal, NominalId, Poly};
+use super::{Alphabet, Harmonic, Harmonics, Nominal, NominalId, Poly, to_f64};
 
 /// Value of a polynomial along a path: the sweep's value in rad, the constants in mm.
 pub fn at(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
@@ -16,8 +16,8 @@ fn value(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: &dyn Fn(&str) -
     harmonics.terms.iter().map(product).sum()
 }
 
-/// Value of a nominal symbol along a path.
-pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
+/// Value of a nominal symbol along a path on which the sweep increases.
+pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: &dyn Fn(&str) -> f64) -> f64 {
     match alphabet.nominal(id) {
         Nominal::Pi => core::f64::consts::PI,
         Nominal::Root2 => core::f64::consts::SQRT_2,
@@ -26,7 +26,16 @@ pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: i
         Nominal::Sin(_) => sweep.sin(),
         Nominal::Cos(_) => sweep.cos(),
         Nominal::Wrapped { angle, .. } => wrapped_value(f64::from(angle.multiple) * sweep, angle.start),
+        Nominal::Sense { sense, .. } => {
+            let power = |id| nominal_value(id, alphabet, sweep, constant);
+            sign(sense.of.iter().map(|(m, c)| to_f64(c) * m.evaluate(power)).sum())
+        }
     }
+}
+
+/// 1 or −1; 0 of a velocity that is none but for the rounding of an angle in single precision, as at a reversal.
+pub fn sign(velocity: f64) -> f64 {
+    if velocity.abs() < 1.0 / 1_048_576.0 { 0.0 } else { velocity.signum() }
 }
 
 /// An angle less whole turns, in `start · π/12` and a turn from there, rad.

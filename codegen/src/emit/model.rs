@@ -7,7 +7,7 @@ use crate::basis::{Arithmetic, Basis, Univariate};
 use crate::graph::{Graph, Id, Rational, Symbol, Unbound};
 use crate::identify::{Derivation, Determination};
 use crate::ids::{BaseId, FunctionId, RunId, TermId};
-use crate::model::{AxisKind, ErrorFunction, Model, ReadingKind};
+use crate::model::{AxisKind, ErrorFunction, Model, NuisanceKind, ReadingKind};
 use typed_index_collections::TiVec;
 
 /// What one run's samples become: inputs are the lengths of the set-up and the sweep, outputs the regressors in the order of
@@ -23,6 +23,11 @@ pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Functio
     let mut inputs = lengths(model);
     let symbol = Symbol::Nominal(alphabet.sweep_symbols(sweep)[0]);
     inputs.push(Input::new(symbol, alphabet.sweep_name(sweep), "the sweep, rad"));
+    inputs.extend(
+        senses(model, run)
+            .into_iter()
+            .map(|sense| Input::new(Symbol::Nominal(sense), &alphabet.nominal_name(sense), &moves(model, sense))),
+    );
     let names = derived.regressors.iter().map(|(b, _)| derivation.base[*b].name.as_str());
     let lowered = derived.regressors.iter().map(|(_, r)| fraction(&mut graph, alphabet, r)).collect::<Vec<_>>();
     let mut outputs = vec![Output::array("regressors", &names.zip(lowered).collect::<Vec<_>>())];
@@ -40,6 +45,22 @@ pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Functio
         derived.name
     );
     Function::new(&graph, &derived.name, &[&doc], inputs, &outputs)
+}
+
+/// The senses that a run's row takes behind its sweep, ascending.
+pub fn senses(model: &Model, run: RunId) -> Vec<NominalId> {
+    let mut senses: Vec<NominalId> = model.runs[run].nuisance.iter().map(|n| n.sense).collect();
+    senses.sort_unstable();
+    senses.dedup();
+    senses
+}
+
+/// What a sense is the sign of.
+pub(super) fn moves(model: &Model, sense: NominalId) -> String {
+    let mut terms = model.runs.iter().flat_map(|run| &run.nuisance).filter(|n| n.sense == sense && !n.against);
+    let of = terms.find(|n| n.kind != NuisanceKind::Lag).and_then(|n| model.axis(n.axis));
+    let of = of.map_or("the sweep".to_owned(), |axis| format!("the coordinate of axis {}", axis.name));
+    format!("1 where {of} increases, -1 where it decreases, 0 at a reversal")
 }
 
 /// An estimated function, to be evaluated from an estimate.
@@ -226,7 +247,7 @@ fn nominal(graph: &mut Graph, alphabet: &Alphabet, id: NominalId) -> Id {
     match alphabet.nominal(id) {
         Nominal::Pi => Id::PI,
         Nominal::Root2 => Id::SQRT_2,
-        Nominal::Constant(_) | Nominal::Sweep(_) => graph.symbol(Symbol::Nominal(id)),
+        Nominal::Constant(_) | Nominal::Sweep(_) | Nominal::Sense { .. } => graph.symbol(Symbol::Nominal(id)),
         Nominal::Wrapped { angle, .. } => {
             let sweep = sweep(angle.sweep);
             let turned = graph.monomial(Rational::from(i128::from(angle.multiple)), &[(sweep, 1)]);

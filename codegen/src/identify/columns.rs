@@ -80,8 +80,8 @@ fn put(found: &mut Vec<Column>, runs: usize, origin: Origin, run: RunId, coeffic
     found[at].by_run[run] = coefficient;
 }
 
-/// Coefficients of estimated functions first, so that what they are confounded with shows in their own definition; then
-/// the declared order; then the order of the symbols.
+/// Coefficients of estimated functions first, so that what they are confounded with shows in their own definition; what moves with
+/// the feed last; then the declared order; then the order of the symbols.
 fn sort(model: &Model, found: &mut [(Parameter, Column)]) -> Result<(), DeriveError> {
     if let Some(unknown) = model.order.iter().find(|text| found.iter().all(|(p, _)| p.name != text.value)) {
         return Err(DeriveError::UnknownParameter(unknown.clone()));
@@ -93,7 +93,8 @@ fn sort(model: &Model, found: &mut [(Parameter, Column)]) -> Result<(), DeriveEr
             Origin::Constant(error) => (error, None),
             Origin::Coefficient(c) => (model.functions[c.function].error, Some(c.term)),
         };
-        (!estimated, declared, symbol)
+        let with_the_feed = matches!(p.origin, Origin::Constant(error) if model.is_nuisance(error));
+        (!estimated, with_the_feed, declared, symbol)
     });
     Ok(())
 }

@@ -104,11 +104,13 @@ fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<B
             Origin::Coefficient(c) if model.functions[c.function].estimate => Some(c),
             _ => None,
         };
-        let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| c.is_negative());
-        let flip = estimates.is_none() && leading == Some(true);
-        let signed = |f: Fraction| if flip { f.negated() } else { f };
         let own = || parameter.name.clone();
-        let name = if estimates.is_some() { own() } else { lumped.next().unwrap_or_else(own) };
+        let with_the_feed = matches!(parameter.origin, Origin::Constant(error) if model.is_nuisance(error));
+        let named = estimates.is_some() || with_the_feed;
+        let name = if named { own() } else { lumped.next().unwrap_or_else(own) };
+        let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| c.is_negative());
+        let flip = !named && leading == Some(true);
+        let signed = |f: Fraction| if flip { f.negated() } else { f };
         let definition = sparse(b.definition).into_iter().map(|(j, f)| (j, signed(f))).collect();
         let regressors = b.regressors.into_iter().map(signed).collect();
         (BaseParameter { name, pivot: b.pivot, definition, estimates, run: b.run }, regressors)

@@ -44,6 +44,11 @@ impl Derivation {
         groups
     }
 
+    /// True where a base parameter is called like the physical parameter that carries it.
+    pub fn has_own_name(&self, base: BaseId) -> bool {
+        self.base.get(base).is_some_and(|b| self.parameters[b.pivot].name == b.name)
+    }
+
     /// True where a base parameter is one physical parameter and nothing else.
     pub fn is_alone(&self, base: BaseId) -> bool {
         self.base.get(base).is_some_and(|b| b.definition.len() == 1)

@@ -5,24 +5,25 @@
 
 use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly, PolyVector, Transform};
 use crate::basis::Coordinate;
-use crate::model::{Axis, AxisKind, Ball, Model, Run};
+use crate::ids::AxisId;
+use crate::model::{AxisKind, Ball, Model, Run};
+use core::ops::Range;
 
 /// The workpiece ball and the tool ball in machine coordinates, T(3) and T(8), mm.
 pub fn ball_positions(model: &Model, run: &Run, order: Order) -> Result<[PolyVector; 2], AlgebraError> {
-    let (workpiece, tool) = run.at.raw.split_at(model.workpiece.len());
+    let (sides, all) = (model.workpiece.len(), model.axes().count());
     Ok([
-        position(&model.workpiece, workpiece, &run.workpiece_ball, run, &model.alphabet, order)?,
-        position(&model.tool, tool, &run.tool_ball, run, &model.alphabet, order)?,
+        position(model, run, 0..sides, &run.workpiece_ball, order)?,
+        position(model, run, sides..all, &run.tool_ball, order)?,
     ])
 }
 
 /// Carries the ball from the last axis' frame to the machine's, matrix times vector: nothing but points is expanded.
 fn position(
-    axes: &[Axis],
-    at: &[Coordinate],
-    ball: &Ball,
+    model: &Model,
     run: &Run,
-    alphabet: &Alphabet,
+    axes: Range<usize>,
+    ball: &Ball,
     order: Order,
 ) -> Result<PolyVector, AlgebraError> {
     let mut point = ball.at.clone();
@@ -31,46 +32,52 @@ fn position(
             *coordinate = coordinate.plus(&Poly::error(error))?;
         }
     }
-    for (axis, coordinate) in axes.iter().zip(at).rev() {
-        for transform in transforms(axis, coordinate, &run.left_out, alphabet)?.iter().rev() {
+    for axis in axes.rev().map(AxisId::from) {
+        for transform in transforms(model, run, axis)?.iter().rev() {
             point = transform.apply(&point, order)?;
         }
         for p in &mut point {
-            *p = p.normal(alphabet)?;
+            *p = p.normal(&model.alphabet)?;
         }
     }
     Ok(point)
 }
 
 /// The axis' factors, leftmost first.
-fn transforms(
-    axis: &Axis,
-    coordinate: &Coordinate,
-    left_out: &[ErrorId],
-    alphabet: &Alphabet,
-) -> Result<Vec<Transform>, AlgebraError> {
-    let nominal = match coordinate {
+fn transforms(model: &Model, run: &Run, id: AxisId) -> Result<Vec<Transform>, AlgebraError> {
+    let Some(axis) = model.axis(id) else { return Ok(Vec::new()) };
+    let nominal = match &run.at[id] {
         Coordinate::Rest => return Ok(Vec::new()),
         Coordinate::Linear(travel) => Transform::translation(along(&axis.direction, travel)?),
         Coordinate::Rotary(angle) => {
-            let (sin, cos) = angle.sin_cos(alphabet)?;
-            rotation(&axis.direction, &sin, &cos, alphabet)?
+            let (sin, cos) = angle.sin_cos(&model.alphabet)?;
+            rotation(&axis.direction, &sin, &cos, &model.alphabet)?
         }
     };
-    let kept = |error: Option<ErrorId>| error.filter(|e| !left_out.contains(e));
-    let motion = small(axis.motion.map(|e| kept(Some(e))));
+    let kept = |error: Option<ErrorId>| error.filter(|e| !run.left_out.contains(e));
+    let mut motion = errors(axis.motion.map(|e| kept(Some(e))));
+    for nuisance in run.nuisance.iter().filter(|n| n.axis == id) {
+        let parameter = Poly::error(nuisance.error);
+        for (own, factor) in motion.iter_mut().zip(&nuisance.factors) {
+            *own = own.plus(&parameter.times(factor, Order::LINEAR)?)?;
+        }
+    }
+    let motion = small(motion);
     let moved = match axis.kind {
         AxisKind::Rotary => [motion, nominal],
         AxisKind::Linear => [nominal, motion],
     };
     let location = axis.location.map(kept);
-    let location = location.iter().any(Option::is_some).then(|| small(location));
+    let location = location.iter().any(Option::is_some).then(|| small(errors(location)));
     Ok(location.into_iter().chain(moved).collect())
 }
 
+fn errors(errors: [Option<ErrorId>; 6]) -> [Poly; 6] {
+    errors.map(|e| e.map(Poly::error).unwrap_or_default())
+}
+
 /// The matrix of six small errors X Y Z A B C.
-fn small(errors: [Option<ErrorId>; 6]) -> Transform {
-    let [x, y, z, a, b, c] = errors.map(|e| e.map(Poly::error).unwrap_or_default());
+fn small([x, y, z, a, b, c]: [Poly; 6]) -> Transform {
     Transform::small([a, b, c], [x, y, z])
 }
 

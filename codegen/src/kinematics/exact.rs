@@ -2,9 +2,11 @@
 //!
 //! What a simulated instrument reads comes from here, so that a fit is never tested against its own linear model.
 
-use crate::algebra::{ErrorId, Poly, at};
+use super::direction::directions;
+use crate::algebra::{ErrorId, Poly, at, nominal_value};
 use crate::ids::AxisId;
-use crate::model::{Axis, AxisKind, Ball, Model, Run};
+use crate::iso::Component;
+use crate::model::{Axis, AxisKind, Ball, Model, Nuisance, NuisanceKind, Run};
 use typed_index_collections::TiVec;
 
 /// Values of the errors of one machine: mm and rad.
@@ -21,6 +23,7 @@ pub type Place = [f64; 3];
 pub struct ExactRun {
     sides: [Vec<NumericAxis>; 2],
     setups: [Option<[ErrorId; 3]>; 2],
+    nuisances: Vec<NumericNuisance>,
     stations: Vec<Station>,
 }
 
@@ -32,15 +35,27 @@ struct NumericAxis {
     motion: [Option<ErrorId>; 6],
 }
 
+/// A nuisance term: what it moves by its parameter.
+#[derive(Clone, Debug)]
+struct NumericNuisance {
+    error: ErrorId,
+    axis: AxisId,
+    /// The motion it moves; `None` for the coordinate itself.
+    component: Option<Component>,
+}
+
 /// Nominal coordinates (`None` at rest) and balls at one value of the sweep.
 #[derive(Clone, Debug)]
 struct Station {
     coordinates: TiVec<AxisId, Option<f64>>,
     balls: [Place; 2],
+    /// By how much each nuisance term moves: factors of its parameter, its square and its cube.
+    moves: Vec<[f64; 3]>,
 }
 
 impl ExactRun {
-    /// Works out `run` at the given values of its sweep (rad); `constant` gives the set-up's lengths in mm.
+    /// Works out `run` at the given values of its sweep (rad), in the order in which they are visited; `constant` gives the
+    /// set-up's lengths in mm.
     pub fn new(model: &Model, run: &Run, sweeps: &[f64], constant: &impl Fn(&str) -> f64) -> Self {
         let value = |p: &Poly, sweep: f64| at(p, &model.alphabet, sweep, constant);
         let ball = |b: &Ball, sweep: f64| core::array::from_fn(|i| value(&b.at[i], sweep));
@@ -51,27 +66,75 @@ impl ExactRun {
             location: a.location.map(kept),
             motion: a.motion.map(|e| kept(Some(e))),
         };
-        let station = |&sweep: &f64| Station {
+        let nuisance = |n: &Nuisance| NumericNuisance {
+            error: n.error,
+            axis: n.axis,
+            component: if let NuisanceKind::LateralPlay(component) = n.kind { Some(component) } else { None },
+        };
+        let slopes: Vec<[Poly; 3]> = run.nuisance.iter().map(|n| slopes(model, run, n)).collect();
+        let moves = |(n, [first, second, third]): (&Nuisance, &[Poly; 3]), sweep: f64, direction: f64| {
+            let sense = nominal_value(n.sense, &model.alphabet, sweep, constant) * direction;
+            match n.kind {
+                NuisanceKind::Backlash | NuisanceKind::LateralPlay(_) => {
+                    [if n.against { -0.5 * sense } else { 0.5 * sense }, 0.0, 0.0]
+                }
+                // Taylor's series of the coordinate at the sweep less the lag; at 1 mrad its end is 10⁻¹¹ mm.
+                NuisanceKind::Lag => [
+                    -value(first, sweep) * direction,
+                    value(second, sweep) / 2.0 * direction.powi(2),
+                    -value(third, sweep) / 6.0 * direction,
+                ],
+            }
+        };
+        let station = |(&sweep, direction): (&f64, f64)| Station {
             coordinates: run.at.iter().map(|c| c.poly().map(|p| value(p, sweep))).collect(),
             balls: [ball(&run.workpiece_ball, sweep), ball(&run.tool_ball, sweep)],
+            moves: run.nuisance.iter().zip(&slopes).map(|term| moves(term, sweep, direction)).collect(),
         };
         Self {
             sides: [model.workpiece.iter().map(axis).collect(), model.tool.iter().map(axis).collect()],
             setups: [run.workpiece_ball.setup, run.tool_ball.setup],
-            stations: sweeps.iter().map(station).collect(),
+            nuisances: run.nuisance.iter().map(nuisance).collect(),
+            stations: sweeps.iter().zip(directions(sweeps)).map(station).collect(),
         }
     }
 
     /// The workpiece ball and the tool ball at every sample.
     pub fn balls<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = [Place; 2]> + 'a {
-        self.stations.iter().map(|station| {
-            let (workpiece, tool) = station.coordinates.raw.split_at(self.sides[0].len());
+        let tool = self.sides[0].len();
+        self.stations.iter().map(move |station| {
             let [w, t] = station.balls;
-            [
-                position(&self.sides[0], workpiece, w, self.setups[0], errors),
-                position(&self.sides[1], tool, t, self.setups[1], errors),
-            ]
+            [self.position(0, 0, station, w, errors), self.position(1, tool, station, t, errors)]
         })
+    }
+
+    /// Carries a ball from the last axis' frame of a side, whose first axis is `first`, to the machine's.
+    fn position(&self, side: usize, first: usize, station: &Station, ball: Place, errors: &impl ErrorValues) -> Place {
+        let setup = self.setups[side];
+        let mut point: Place = core::array::from_fn(|i| ball[i] + setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
+        for (id, axis) in self.sides[side].iter().enumerate().rev() {
+            let id = AxisId::from(first + id);
+            let Some(nominal) = station.coordinates[id] else { continue };
+            let mut motion = axis.motion.map(|e| e.map_or(0.0, |e| errors.value(e, nominal)));
+            let mut coordinate = nominal;
+            for (nuisance, [a, b, c]) in self.nuisances.iter().zip(&station.moves).filter(|(n, _)| n.axis == id) {
+                let parameter = errors.value(nuisance.error, 0.0);
+                let moved = ((c * parameter + b) * parameter + a) * parameter;
+                match nuisance.component {
+                    Some(component) => motion[component.index()] += moved,
+                    None => coordinate += moved,
+                }
+            }
+            point = match axis.kind {
+                AxisKind::Rotary => small(&motion, rotate(&axis.direction, coordinate, point)),
+                AxisKind::Linear => {
+                    let moved = small(&motion, point);
+                    core::array::from_fn(|i| moved[i] + coordinate * axis.direction[i])
+                }
+            };
+            point = small(&axis.location.map(|e| e.map_or(0.0, |e| errors.value(e, 0.0))), point);
+        }
+        point
     }
 
     /// Nominal coordinate of an axis at every sample; `None` at rest.
@@ -80,27 +143,14 @@ impl ExactRun {
     }
 }
 
-fn position(
-    axes: &[NumericAxis],
-    coordinates: &[Option<f64>],
-    ball: Place,
-    setup: Option<[ErrorId; 3]>,
-    errors: &impl ErrorValues,
-) -> Place {
-    let mut point: Place = core::array::from_fn(|i| ball[i] + setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
-    for (axis, coordinate) in axes.iter().zip(coordinates).rev() {
-        let &Some(coordinate) = coordinate else { continue };
-        let motion = axis.motion.map(|e| e.map_or(0.0, |e| errors.value(e, coordinate)));
-        point = match axis.kind {
-            AxisKind::Rotary => small(&motion, rotate(&axis.direction, coordinate, point)),
-            AxisKind::Linear => {
-                let moved = small(&motion, point);
-                core::array::from_fn(|i| moved[i] + coordinate * axis.direction[i])
-            }
-        };
-        point = small(&axis.location.map(|e| e.map_or(0.0, |e| errors.value(e, 0.0))), point);
-    }
-    point
+/// A coordinate's first three derivatives along the sweep.
+fn slopes(model: &Model, run: &Run, nuisance: &Nuisance) -> [Poly; 3] {
+    let mut derivative = run.at[nuisance.axis].poly().cloned().unwrap_or_default();
+    [(); 3].map(|()| {
+        // A description whose derivatives overflow has been refused: the first one is in the reading.
+        derivative = derivative.derivative(run.sweep, &model.alphabet).unwrap_or_default();
+        derivative.clone()
+    })
 }
 
 /// `[1 −c b x; c 1 −a y; −b a 1 z] · p`

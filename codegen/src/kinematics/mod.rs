@@ -3,7 +3,9 @@
 //! After this room there are points in space, exact to the chosen order in the errors.
 
 mod chain;
+mod direction;
 mod exact;
 
 pub use chain::ball_positions;
+pub use direction::directions;
 pub use exact::{ErrorValues, ExactRun, Place};

@@ -161,6 +161,12 @@ impl DraftRun {
         self.tool_ball = ball;
         self
     }
+
+    /// What moves its axes with the feed and not with the geometry: `backlash Y`, `lateral play EZY`, `lag Y`, `mismatch`.
+    pub fn nuisance<I: IntoIterator<Item: Into<Text>>>(mut self, terms: I) -> Self {
+        self.nuisance = texts(terms);
+        self
+    }
 }
 
 impl DraftReading {

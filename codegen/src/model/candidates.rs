@@ -117,7 +117,7 @@ impl<'a> Machine<'a> {
         for [carried, other] in own_runs.into_iter().map(balls) {
             let Some((u, distance)) = outwards(&carried.at, &d, &alphabet)? else { continue };
             // The nearest one, on the positive side if there is one on either.
-            let size = distance.evaluate(|id| nominal_value(id, &alphabet, 0.0, |_| 1.0), |_| 0.0);
+            let size = distance.evaluate(|id| nominal_value(id, &alphabet, 0.0, &|_| 1.0), |_| 0.0);
             let negative = u.iter().find_map(|p| p.terms().first()).is_some_and(|(_, factor)| factor.is_negative());
             let near = found.as_ref().is_none_or(|(before, ..): &((f64, bool), _, _, _, _)| (size, negative) < *before);
             if near {
@@ -258,6 +258,7 @@ impl<'a> Machine<'a> {
             workpiece_ball,
             tool_ball,
             reading,
+            nuisance: Vec::new(),
         }))
     }
 

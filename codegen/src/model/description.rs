@@ -3,7 +3,7 @@
 //! A [`Model`] is consistent by construction: it comes from a [`super::Draft`], which a model file, the builder and the
 //! derive macro all fill, and whose `build` refuses what the later rooms could not handle.
 
-use crate::algebra::{Alphabet, ErrorId, NominalId, PolyVector, SweepId};
+use crate::algebra::{Alphabet, ErrorId, NominalId, Poly, PolyVector, SweepId};
 use crate::basis::{Basis, Coordinate};
 use crate::ids::{AxisId, FunctionId, RunId};
 use crate::iso::{Component, Notation};
@@ -60,6 +60,11 @@ impl Model {
             let at = axis.motion.iter().position(|&e| e == error)?;
             Some((AxisId::from(i), Component::ALL[at]))
         })
+    }
+
+    /// Whether it is the parameter of a nuisance term.
+    pub fn is_nuisance(&self, error: ErrorId) -> bool {
+        self.runs.iter().any(|run| run.nuisance.iter().any(|n| n.error == error))
     }
 
     /// The assumption about a motion error.
@@ -135,10 +140,42 @@ pub struct Run {
     pub tool_ball: Ball,
     /// What is read.
     pub reading: ReadingKind,
+    /// What moves its axes with the feed and not with the geometry.
+    pub nuisance: Vec<Nuisance>,
     /// Errors of resting axes that this run leaves out: they do to it what its set-up errors do.
     pub left_out: Vec<ErrorId>,
     /// Where its name and its reading are described.
     pub places: [Span; 2],
+}
+
+/// A term of a run's own that moves an axis with the feed and not with the geometry.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Nuisance {
+    /// Its parameter.
+    pub error: ErrorId,
+    /// The axis.
+    pub axis: AxisId,
+    /// What it does.
+    pub kind: NuisanceKind,
+    /// The axis' sense, or the sweep's of a lag.
+    pub sense: NominalId,
+    /// True where the axis moves against that sense.
+    pub against: bool,
+    /// By how much the parameter moves the axis at first order: factors of its motion errors X Y Z A B C.
+    pub factors: [Poly; 6],
+}
+
+/// What a nuisance term does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NuisanceKind {
+    /// The reversal value B of ISO 230-2, mm or rad: the axis is B/2 further where its coordinate increases, B/2 less where it
+    /// decreases.
+    Backlash,
+    /// The same of another of its six motions: lateral play, mm or rad.
+    LateralPlay(Component),
+    /// The axis is where it should have been at a sweep this angle (rad) before: its following error at a constant feed, in a
+    /// circle that of the servo mismatch where another axis has none.
+    Lag,
 }
 
 /// A ball of the instrument.

@@ -90,6 +90,8 @@ pub struct DraftRun {
     pub tool_ball: DraftBall,
     /// What is read.
     pub reading: DraftReading,
+    /// What moves its axes with the feed: `backlash Y`, `lateral play EZY`, `lag Y`, `mismatch`.
+    pub nuisance: Vec<Text>,
 }
 
 /// What a run reads, as written.

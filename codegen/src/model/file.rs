@@ -61,7 +61,7 @@ const TOP: &[&str] = &[
 const AXIS: &[&str] = &["rotary", "linear", "location", "range"];
 const INSTRUMENT: &[&str] =
     &["preset", "constant_um", "noise_um", "proportional", "bar_length_um", "temperature_k", "expansion_per_k"];
-const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading"];
+const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading", "nuisance"];
 const READING: &[&str] = &["displacement"];
 const BALL: &[&str] = &["at", "setup"];
 const BASIS: &[&str] = &["polynomial", "conditions", "fourier"];
@@ -175,6 +175,7 @@ impl Reader {
             workpiece_ball: self.ball(table, "workpiece_ball"),
             tool_ball: self.ball(table, "tool_ball"),
             reading: self.reading(table, name.span.clone()),
+            nuisance: self.list(table, "nuisance"),
             name,
         }
     }

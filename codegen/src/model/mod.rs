@@ -17,7 +17,9 @@ mod unknown;
 mod written;
 
 pub use candidates::candidates;
-pub use description::{Axis, AxisKind, Ball, ErrorFunction, Model, ReadingKind, Reference, Run};
+pub use description::{
+    Axis, AxisKind, Ball, ErrorFunction, Model, Nuisance, NuisanceKind, ReadingKind, Reference, Run,
+};
 pub use draft::{
     Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,
 };

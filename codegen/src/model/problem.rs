@@ -87,6 +87,12 @@ pub enum ProblemKind {
     NotAPoint(String),
     /// The model has no run.
     NoRuns,
+    /// Not a nuisance term.
+    NotANuisance(String),
+    /// A nuisance term of an axis that does not move in its run.
+    Standing(String),
+    /// A servo mismatch where only one axis moves.
+    MovesAlone,
     /// A run whose balls are not nominally the bar's length apart: the length, what they are apart instead.
     NotTheBar(String, String),
     /// A run that reads a displacement of balls that do not nominally coincide: what they are apart instead.
@@ -132,6 +138,9 @@ impl fmt::Display for ProblemKind {
             Self::NothingToAssume(name) => write!(f, "`{name}` is nothing that could be assumed here"),
             Self::NotAPoint(_) => write!(f, "not a point of the function's axis"),
             Self::NoRuns => write!(f, "the model has no run"),
+            Self::NotANuisance(term) => write!(f, "`{term}` is not what a run may have besides the geometry"),
+            Self::Standing(axis) => write!(f, "axis {axis} does not move in this run"),
+            Self::MovesAlone => write!(f, "a servo mismatch is one of two axes, and fewer move in this run"),
             Self::NoAngle(letter, other, axis) => {
                 write!(f, "a rotation {letter} does not change the angle between {other} and {axis}")
             }
@@ -260,6 +269,11 @@ impl ProblemKind {
                     .into()
             }
             Self::NotAPoint(letter) => format!("the axis' letter and its coordinate, mm or rad: `{letter} = 0`"),
+            Self::NotANuisance(_) => {
+                "expected \"backlash Y\", \"lag Y\" (of an axis), \"lateral play EZY\" (of a motion error) or \"mismatch\"".into()
+            }
+            Self::Standing(_) => "it neither reverses nor lags: drop the term".into(),
+            Self::MovesAlone => "drop the term".into(),
             Self::NoRuns => "describe at least one under [run.NAME]".into(),
             Self::Meaning(Meaning::UnknownName(_)) => "the sweep of this run, `pi`, or one of `constants`".into(),
             Self::Meaning(Meaning::UnknownFunction(_)) => "expected sin, cos or sqrt".into(),

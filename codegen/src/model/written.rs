@@ -21,7 +21,8 @@ impl Display for DraftRun {
                 [one] => writeln!(f, "reading = {{ displacement = {} }}", string(&one.value)),
                 all => writeln!(f, "reading = {{ displacement = {} }}", list(all)),
             },
-        }
+        }?;
+        if self.nuisance.is_empty() { Ok(()) } else { writeln!(f, "nuisance = {}", list(&self.nuisance)) }
     }
 }
 

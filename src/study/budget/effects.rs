@@ -69,7 +69,7 @@ pub(in crate::study) fn without_table(setup: &Setup, observations: &[Observation
         let factors = |o: &Observation| {
             let at = setup.derivation.runs[o.run].known.iter().position(|(f, _)| *f == function);
             let mut row = setup.row(o.run);
-            let mut factor = |sweep: f64| at.and_then(|at| row.at(sweep).1.get(at).copied()).unwrap_or(0.0);
+            let mut factor = |sweep: f64| at.and_then(|at| row.at(sweep, 1.0).1.get(at).copied()).unwrap_or(0.0);
             o.samples.iter().map(|s| factor(s.sweep)).collect()
         };
         (setup.model.functions[function].error, observations.iter().map(factors).collect())

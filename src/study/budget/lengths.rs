@@ -1,7 +1,7 @@
 //! What wrong lengths of the set-up do: the rows are evaluated at other places than the balls are.
 
 use super::parts::Parts;
-use crate::study::fit::{Fit, Observation};
+use crate::study::fit::{Fit, Observation, Sample};
 use crate::study::seen::Seen;
 use crate::study::setup::Setup;
 use nalgebra::DVector;
@@ -20,18 +20,18 @@ impl Lengths {
             setup.with_constant(constant, setup.constant(&name) + limit / 3f64.sqrt())
         };
         let changed: Vec<Setup> = setup.model.limits.constants.iter().map(off).collect();
-        let predicted = |s: &Setup, o: &Observation, sweep: f64, known: &[f64]| {
+        let predicted = |s: &Setup, o: &Observation, sample: &Sample| {
             let mut row = s.row(o.run);
-            let (regressors, factors) = row.at(sweep);
+            let (regressors, factors) = row.at(sample.sweep, sample.direction);
             let places = fit.places(s, o);
             let base: f64 = regressors.iter().zip(places).filter_map(|(x, at)| Some(x * fit.values[at?])).sum();
-            base + factors.iter().zip(known).map(|(f, k)| f * k).sum::<f64>()
+            base + factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum::<f64>()
         };
         let responses = fit.responses(setup, observations, changed.len(), |d, by| {
-            let (o, sweep, known) = (&observations[d.observation], d.sample.sweep, &d.sample.known);
-            let own = predicted(setup, o, sweep, known);
+            let o = &observations[d.observation];
+            let own = predicted(setup, o, d.sample);
             // The readings stay: what the row makes more of them, the base parameters make less.
-            by.iter_mut().zip(&changed).for_each(|(b, other)| *b = own - predicted(other, o, sweep, known));
+            by.iter_mut().zip(&changed).for_each(|(b, other)| *b = own - predicted(other, o, d.sample));
         });
         Self { changed, responses }
     }

@@ -153,14 +153,15 @@ fn undone(setup: &Setup, observations: &[Observation]) -> Vec<(Mistake, Vec<Obse
     for a in 0..observations.len() {
         for b in (a + 1..observations.len()).filter(|&b| observations[a].run != observations[b].run) {
             let mut swapped = observations.to_vec();
-            let readings = |o: &Observation| o.samples.iter().map(|s| (s.sweep, s.reading)).collect::<Vec<_>>();
+            let readings =
+                |o: &Observation| o.samples.iter().map(|s| (s.sweep, s.direction, s.reading)).collect::<Vec<_>>();
             for (to, from) in [(a, readings(&observations[b])), (b, readings(&observations[a]))] {
                 let known = swapped[to].samples.clone();
-                let of = |(sweep, reading): (f64, f64)| {
+                let of = |(sweep, direction, reading): (f64, f64, f64)| {
                     // Known functions belong to the angle, not to the file.
                     let near = |s: &&Sample| (s.sweep - sweep).abs();
                     let at = known.iter().min_by(|x, y| near(x).total_cmp(&near(y)));
-                    at.map(|s| Sample { sweep, reading, ..s.clone() })
+                    at.map(|s| Sample { sweep, direction, reading, ..s.clone() })
                 };
                 swapped[to].samples = from.into_iter().filter_map(of).collect();
             }
@@ -181,7 +182,7 @@ fn undone(setup: &Setup, observations: &[Observation]) -> Vec<(Mistake, Vec<Obse
         all.push((Mistake::Unit(name(i), factor), with(Some(i), &|s| s.reading *= factor)));
     }
     for i in each() {
-        all.push((Mistake::Mirrored(i.map(name)), with(i, &|s| s.sweep = -s.sweep)));
+        all.push((Mistake::Mirrored(i.map(name)), with(i, &|s| (s.sweep, s.direction) = (-s.sweep, -s.direction))));
     }
     for i in each() {
         for step in 1..STEPS {

@@ -4,7 +4,7 @@
 //! that of a fit of readings of zero with a known standard deviation.
 
 use crate::study::visited::{between, visited};
-use crate::study::{EstimateError, Estimator, Observation, Seen, Setup, Told, Variance, fit_with, grid};
+use crate::study::{EstimateError, Estimator, Observation, Seen, Setup, Told, Variance, fit_with};
 use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_solver::lstsq::student_t_95;
 
@@ -67,7 +67,7 @@ const POINTS: usize = 360;
 /// # Errors
 /// [`EstimateError`] where such samples do not determine the base parameters.
 pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, EstimateError> {
-    let sweeps = |run| grid(intended.samples, setup.sweep_range(run, intended.range));
+    let sweeps = |run| setup.swept(run, intended.samples, intended.range);
     let zero = |run| Observation::zero(setup, run, &sweeps(run));
     let observations: Vec<Observation> = setup.model.runs.keys().map(zero).collect();
     let fit = fit_with(setup, &observations, estimator, Variance::Known(intended.sigma))?;

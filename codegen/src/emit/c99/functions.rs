@@ -3,7 +3,7 @@
 use super::{c, model};
 use crate::emit::c::Precision;
 use crate::emit::function::Function;
-use crate::emit::layout::listed;
+use crate::emit::layout::{listed, prose};
 use crate::emit::model::EstimatedFunction;
 use crate::graph::Unbound;
 use crate::identify::Derivation;
@@ -79,11 +79,10 @@ fn push(
     let values = inputs.iter().chain([&reading]).chain(&known).map(|name| format!("{kind} {name}"));
     let parameters: Vec<String> = [format!("{prefix}_fit *{fit}")].into_iter().chain(values).collect();
     let signature = listed(&format!("{prefix}_status {prefix}_{push}("), &parameters, ")", 4);
+    let ways = if model::senses(model, at).is_empty() { "" } else { ", directions of motion (1 or -1)" };
     let also = if known.is_empty() { "" } else { ", the known functions there (mm or rad)" };
-    printed.declarations += &format!(
-        "\n/* Takes a sample of run `{}`: lengths (mm), sweep (rad), reading (mm){also}. */\n{signature};\n",
-        run.name
-    );
+    let told = format!("Takes a sample of run `{}`: lengths (mm), sweep (rad){ways}, reading (mm){also}. */", run.name);
+    printed.declarations += &format!("\n{}\n{signature};\n", prose("/* ", &told, 3));
 
     let n = run.regressors.len();
     let places: Vec<String> = run.regressors.iter().map(|(base, _)| base.to_string()).collect();

@@ -5,6 +5,7 @@ use super::extent::extent;
 use super::printer::{Printer, Style};
 use crate::algebra::{Alphabet, Nominal, Poly, Rational, SweepId, WrappedAngle};
 use crate::emit::layout::{equation, prose};
+use crate::emit::model::moves;
 use crate::identify::Derivation;
 use crate::model::Model;
 use core::fmt::Write;
@@ -30,9 +31,12 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
         }
     }
     for (id, nominal) in model.alphabet.nominals() {
-        if let Nominal::Wrapped { angle, .. } = nominal {
-            let _ = writeln!(out, "{}", turned(model, &model.alphabet.nominal_name(id), angle));
-        }
+        let name = || model.alphabet.nominal_name(id);
+        let _ = match nominal {
+            Nominal::Wrapped { angle, .. } => writeln!(out, "{}", turned(model, &name(), angle)),
+            Nominal::Sense { .. } => writeln!(out, "{}: {}", name(), moves(model, id)),
+            _ => Ok(()),
+        };
     }
     for assumption in &model.assumptions {
         let _ = writeln!(out, "assumed: {}", assumption.text);

@@ -5,6 +5,7 @@ mod axes;
 mod build;
 mod functions;
 mod names;
+mod nuisance;
 mod prior;
 mod resolver;
 mod runs;

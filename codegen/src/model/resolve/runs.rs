@@ -1,5 +1,6 @@
 //! The runs: their paths, balls and readings.
 
+use super::nuisance::Path;
 use super::resolver::Resolver;
 use crate::algebra::{NominalId, Poly, Quantity, SweepId};
 use crate::basis::Coordinate;
@@ -32,6 +33,7 @@ impl Resolver {
         let readings = self.readings(run, sweep);
         let name = self.is_name(&run.name).then(|| run.name.value.clone());
         (at.len() == axes.len()).then_some(())?;
+        let nuisance = self.nuisances(run, &Path { axes, at: &at, sweep });
         let places = [run.name.span.clone(), run.reading.span()];
         let (workpiece_ball, tool_ball, name) = (workpiece_ball?, tool_ball?, name?);
         let complete = |(suffix, reading): (&str, ReadingKind)| Run {
@@ -41,6 +43,7 @@ impl Resolver {
             workpiece_ball: workpiece_ball.clone(),
             tool_ball: tool_ball.clone(),
             reading,
+            nuisance: nuisance.clone(),
             left_out: Vec::new(),
             places: places.clone(),
         };

@@ -8,12 +8,13 @@
 use super::choices::Choices;
 use crate::study::plan::{subset, uniform_std};
 use crate::study::visited::{between, visited};
-use crate::study::{ErrorLimits, Setup, SetupError, grid};
+use crate::study::{ErrorLimits, Setup, SetupError};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use std::collections::BTreeMap;
 use trunnion_codegen::algebra::{Poly, at};
 use trunnion_codegen::identify::{Origin, name};
 use trunnion_codegen::ids::{FunctionId, RunId, TermId};
+use trunnion_codegen::kinematics::directions;
 use trunnion_codegen::model::Coefficient;
 use typed_index_collections::TiVec;
 
@@ -102,7 +103,7 @@ impl Pool {
         let single = |run: RunId| -> Result<Single, SetupError> {
             let part = subset(&choices.model, &[run]).map_err(|e| SetupError::derivation(&choices.model, &e))?;
             let (setup, run) = (Setup::new(part, &lengths)?, RunId::from(0));
-            let sweeps = grid(measured.samples, setup.sweep_range(run, measured.range));
+            let sweeps = setup.swept(run, measured.samples, measured.range);
             Ok(Single { setup, run, sweeps })
         };
         let singles: TiVec<RunId, Single> = choices.model.runs.keys().map(single).collect::<Result<_, _>>()?;
@@ -210,8 +211,8 @@ impl Single {
         let regressors = &setup.derivation.runs[self.run].regressors;
         let mut own = DMatrix::zeros(regressors.len(), regressors.len());
         let mut row = setup.row(self.run);
-        for &sweep in &self.sweeps {
-            let values = DVector::from_column_slice(row.at(sweep).0);
+        for (&sweep, direction) in self.sweeps.iter().zip(directions(&self.sweeps)) {
+            let values = DVector::from_column_slice(row.at(sweep, direction).0);
             own.ger(1.0 / (sigma * sigma), &values, &values, 1.0);
         }
         let definitions = setup.definitions();
