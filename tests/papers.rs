@@ -75,7 +75,7 @@ fn printed(text: &str, model: &Model, sweep: &str) -> Linear {
     let expression = parse(text).unwrap();
     let mut names = Vec::new();
     unknowns(&expression, &["R", "pi", sweep], &mut names);
-    let scope = Scope { alphabet, sweep: alphabet.find_sweep(sweep) };
+    let scope = Scope { alphabet, sweep: alphabet.find_sweep(sweep), defined: &[] };
     let coefficient = |name: &String| scope.poly(&pick(&expression, &names, name)).unwrap().normal(alphabet).unwrap();
     names.iter().map(|name| (name.clone(), coefficient(name))).collect()
 }

@@ -7,6 +7,7 @@ pub const MODELS: &[(&str, &str)] = &[
     ("ab-head", include_str!("../machines/ab-head.toml")),
     ("ac-head", include_str!("../machines/ac-head.toml")),
     ("ac-trunnion", include_str!("../machines/ac-trunnion.toml")),
+    ("ac-trunnion-cone", include_str!("../machines/ac-trunnion-cone.toml")),
     ("b-head-c-table", include_str!("../machines/b-head-c-table.toml")),
     ("bc-trunnion", include_str!("../machines/bc-trunnion.toml")),
     ("mill-turn", include_str!("../machines/mill-turn.toml")),

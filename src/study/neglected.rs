@@ -3,7 +3,7 @@
 use super::limits::ErrorLimits;
 use super::setup::{Setup, SetupError};
 use trunnion_codegen::algebra::{Monomial, Nominal, NominalId, Order};
-use trunnion_codegen::emit::model::{poly, senses};
+use trunnion_codegen::emit::model::{motion, poly};
 use trunnion_codegen::graph::{Graph, Symbol, Tape};
 use trunnion_codegen::identify::DeriveError;
 use trunnion_codegen::ids::RunId;
@@ -34,7 +34,7 @@ pub(super) struct SecondOrder<'a> {
     pub products: Vec<Monomial>,
     tape: Tape,
     inputs: Vec<f64>,
-    senses: Vec<NominalId>,
+    motion: Vec<NominalId>,
 }
 
 impl<'a> SecondOrder<'a> {
@@ -50,12 +50,12 @@ impl<'a> SecondOrder<'a> {
         let outputs: Vec<_> = terms.iter().map(|(_, p)| poly(&mut graph, &model.alphabet, p)).collect();
         let lengths = model.alphabet.nominals().filter(|(_, n)| matches!(n, Nominal::Constant(_))).map(|(id, _)| id);
         let [sweep, ..] = model.alphabet.sweep_symbols(model.runs[run].sweep);
-        let senses = senses(model, run);
-        let symbols: Vec<Symbol> = lengths.chain([sweep]).chain(senses.iter().copied()).map(Symbol::Nominal).collect();
+        let motion = motion(model, run);
+        let symbols: Vec<Symbol> = lengths.chain([sweep]).chain(motion.iter().copied()).map(Symbol::Nominal).collect();
         let tape = Tape::new(&graph.lower(&symbols, &outputs)?);
         let mut inputs: Vec<f64> = model.alphabet.constants().map(|n| setup.constant(n)).collect();
         inputs.resize(symbols.len(), 0.0);
-        Ok(Self { setup, products: terms.into_iter().map(|(errors, _)| errors).collect(), tape, inputs, senses })
+        Ok(Self { setup, products: terms.into_iter().map(|(errors, _)| errors).collect(), tape, inputs, motion })
     }
 
     /// Calls `each` at every sweep, which is reached in a direction, with the sample's position and the factor of every product.
@@ -64,7 +64,7 @@ impl<'a> SecondOrder<'a> {
         let mut inputs = self.inputs.clone();
         let mut values = vec![0.0; self.products.len()];
         for (i, (sweep, direction)) in places.enumerate() {
-            self.setup.place(&mut inputs, &self.senses, sweep, direction);
+            self.setup.place(&mut inputs, &self.motion, sweep, direction);
             let evaluated = evaluator.evaluate(&inputs, &mut values);
             debug_assert_eq!(evaluated, Ok(()), "the tape was made for these inputs");
             each(i, &values);

@@ -3,10 +3,10 @@
 use super::limits::ErrorLimits;
 use core::fmt;
 use std::collections::BTreeSet;
-use trunnion_codegen::algebra::{ErrorId, Fraction, NominalId, Poly, at, nominal_value};
+use trunnion_codegen::algebra::{ErrorId, Fraction, Nominal, NominalId, Poly, at, nominal_value};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit;
-use trunnion_codegen::emit::model::senses;
+use trunnion_codegen::emit::model::motion;
 use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
 use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, Origin, derive};
 use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId, TermId};
@@ -162,11 +162,11 @@ impl Setup {
     pub fn row(&self, run: RunId) -> RunRow<'_> {
         let mut inputs = self.constants.clone();
         inputs.push(0.0);
-        let senses = senses(&self.model, run);
-        inputs.extend(senses.iter().map(|_| 0.0));
+        let motion = motion(&self.model, run);
+        inputs.extend(motion.iter().map(|_| 0.0));
         RunRow {
             setup: self,
-            senses,
+            motion,
             evaluator: self.runs[run].evaluator(),
             inputs,
             outputs: vec![0.0; self.runs[run].outputs()],
@@ -175,10 +175,13 @@ impl Setup {
     }
 
     /// Writes the sweep, and which way things move there, to the end of a row's inputs.
-    pub(super) fn place(&self, inputs: &mut [f64], senses: &[NominalId], sweep: f64, direction: f64) {
+    pub(super) fn place(&self, inputs: &mut [f64], motion: &[NominalId], sweep: f64, direction: f64) {
         let length = |name: &str| self.constant(name);
-        let value = |&id: &NominalId| direction * nominal_value(id, &self.model.alphabet, sweep, &length);
-        let values = [sweep].into_iter().chain(senses.iter().map(value));
+        let value = |&id: &NominalId| {
+            let value = nominal_value(id, &self.model.alphabet, sweep, &length);
+            if matches!(self.model.alphabet.nominal(id), Nominal::Sense { .. }) { direction * value } else { value }
+        };
+        let values = [sweep].into_iter().chain(motion.iter().map(value));
         inputs.iter_mut().skip(self.constants.len()).zip(values).for_each(|(input, value)| *input = value);
     }
 
@@ -278,7 +281,7 @@ pub fn coordinate(axis: &Axis) -> Quantity {
 #[derive(Debug)]
 pub struct RunRow<'a> {
     setup: &'a Setup,
-    senses: Vec<NominalId>,
+    motion: Vec<NominalId>,
     evaluator: Evaluator<'a>,
     inputs: Vec<f64>,
     outputs: Vec<f64>,
@@ -289,7 +292,7 @@ impl RunRow<'_> {
     /// Regressors of the base parameters that the run sees, and factors of its known functions, at `sweep` (rad), reached in
     /// `direction`: 1 increasing, −1 decreasing.
     pub fn at(&mut self, sweep: f64, direction: f64) -> (&[f64], &[f64]) {
-        self.setup.place(&mut self.inputs, &self.senses, sweep, direction);
+        self.setup.place(&mut self.inputs, &self.motion, sweep, direction);
         let evaluated = self.evaluator.evaluate(&self.inputs, &mut self.outputs);
         debug_assert_eq!(evaluated, Ok(()), "the row was made for this tape");
         self.outputs.split_at(self.split)

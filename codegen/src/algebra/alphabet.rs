@@ -1,5 +1,6 @@
 //! The symbols of one model and what the normal form knows about them.
 
+use super::path::{Arctangent, Root};
 use super::sense::Sense;
 use super::wrapped::WrappedAngle;
 use super::{AlgebraError, ErrorId, MAX_NOMINALS, NominalId, SweepId};
@@ -24,6 +25,20 @@ pub enum Nominal {
     Wrapped {
         /// The angle and where its turn begins.
         angle: WrappedAngle,
+        /// Its name.
+        name: String,
+    },
+    /// The positive root of a polynomial of the sweep.
+    Root {
+        /// What it is.
+        root: Root,
+        /// Its name.
+        name: String,
+    },
+    /// An angle given by its sine and cosine.
+    Arctangent {
+        /// What it is.
+        angle: Arctangent,
         /// Its name.
         name: String,
     },
@@ -74,8 +89,7 @@ impl Alphabet {
 
     /// The constant called `name`, if the model has it.
     pub fn find_constant(&self, name: &str) -> Option<NominalId> {
-        let is = |n: &Nominal| matches!(n, Nominal::Constant(c) if c == name);
-        self.nominals.iter().position(is).map(|i| NominalId(i as u8))
+        self.find(|n| matches!(n, Nominal::Constant(c) if c == name))
     }
 
     /// The sweep called `name` with its sine and cosine, made if it is new.
@@ -101,7 +115,42 @@ impl Alphabet {
 
     /// The symbol of a wrapped angle, if a run has it.
     pub fn find_wrapped(&self, wanted: WrappedAngle) -> Option<NominalId> {
-        let is = |n: &Nominal| matches!(n, Nominal::Wrapped { angle, .. } if *angle == wanted);
+        self.find(|n| matches!(n, Nominal::Wrapped { angle, .. } if *angle == wanted))
+    }
+
+    /// The symbol of a root, made with the name if it is new.
+    pub fn root(&mut self, root: Root, name: String) -> Result<NominalId, AlgebraError> {
+        let is = |n: &Nominal| matches!(n, Nominal::Root { root: own, .. } if *own == root);
+        match self.find(is) {
+            Some(id) => Ok(id),
+            None => self.add(Nominal::Root { root, name }),
+        }
+    }
+
+    /// Whether a root is called so already.
+    pub fn has_root(&self, wanted: &Root, called: &str) -> bool {
+        self.find(|n| matches!(n, Nominal::Root { root, name } if root == wanted && name == called)).is_some()
+    }
+
+    /// The symbol of an angle given by its sine and cosine, made with the name if it is new.
+    pub fn arctangent(&mut self, angle: Arctangent, name: String) -> Result<NominalId, AlgebraError> {
+        let is = |n: &Nominal| matches!(n, Nominal::Arctangent { angle: own, .. } if *own == angle);
+        match self.find(is) {
+            Some(id) => Ok(id),
+            None => self.add(Nominal::Arctangent { angle, name }),
+        }
+    }
+
+    /// The roots, the last made first: one may be of others.
+    pub(super) fn roots(&self) -> impl Iterator<Item = (NominalId, &Root)> {
+        let root = |i: usize| match &self.nominals[i] {
+            Nominal::Root { root, .. } => Some((NominalId(i as u8), root)),
+            _ => None,
+        };
+        (0..self.nominals.len()).rev().filter_map(root)
+    }
+
+    fn find(&self, is: impl Fn(&Nominal) -> bool) -> Option<NominalId> {
         self.nominals.iter().position(is).map(|i| NominalId(i as u8))
     }
 
@@ -115,8 +164,7 @@ impl Alphabet {
 
     /// The symbol of a sense, if a run has it.
     pub fn find_sense(&self, wanted: &Sense) -> Option<NominalId> {
-        let is = |n: &Nominal| matches!(n, Nominal::Sense { sense, .. } if sense == wanted);
-        self.nominals.iter().position(is).map(|i| NominalId(i as u8))
+        self.find(|n| matches!(n, Nominal::Sense { sense, .. } if sense == wanted))
     }
 
     /// The sweep called `name`, if a run has it.
@@ -193,10 +241,15 @@ impl Alphabet {
         })
     }
 
-    /// Whether the model calls a constant, a sweep, a sense or an error so.
+    /// Whether the model calls a constant, a sweep, a root, an angle, a sense or an error so.
     pub fn has_name(&self, name: &str) -> bool {
-        let is_sense = |n: &Nominal| matches!(n, Nominal::Sense { name: own, .. } if own == name);
-        self.nominals.iter().any(is_sense)
+        let own = |n: &Nominal| match n {
+            Nominal::Root { name: own, .. }
+            | Nominal::Arctangent { name: own, .. }
+            | Nominal::Sense { name: own, .. } => own == name,
+            _ => false,
+        };
+        self.nominals.iter().any(own)
             || self.find_constant(name).is_some()
             || self.find_sweep(name).is_some()
             || self.find_error(name).is_some()
@@ -220,7 +273,11 @@ impl Alphabet {
         match self.nominal(id) {
             Nominal::Pi => "pi".to_owned(),
             Nominal::Root2 => "sqrt(2)".to_owned(),
-            Nominal::Constant(name) | Nominal::Wrapped { name, .. } | Nominal::Sense { name, .. } => name.clone(),
+            Nominal::Constant(name)
+            | Nominal::Wrapped { name, .. }
+            | Nominal::Root { name, .. }
+            | Nominal::Arctangent { name, .. }
+            | Nominal::Sense { name, .. } => name.clone(),
             Nominal::Sweep(sweep) => self.sweep_name(*sweep).to_owned(),
             Nominal::Sin(sweep) => trig("s", "sin", *sweep),
             Nominal::Cos(sweep) => trig("c", "cos", *sweep),

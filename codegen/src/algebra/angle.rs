@@ -2,11 +2,13 @@
 
 use super::{AlgebraError, Alphabet, Monomial, Order, Poly, Rational, SweepId};
 
-/// An angle `multiple · sweep + eighths · π/4`: what has an exact sine and cosine.
+/// An angle `multiple · sweep + eighths · π/4`, or one given by its sine and cosine: what has an exact sine and cosine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Angle {
     /// The sweep it turns with and how often; `None` at a fixed angle.
     pub sweep: Option<(SweepId, i32)>,
+    /// The sine and cosine it is given by, and how often; `None` of an angle of the sweep.
+    pub given: Option<(Box<[Poly; 2]>, i32)>,
     /// The fixed part in steps of 45°.
     pub eighths: i32,
     /// The angle itself as a polynomial in the sweep and π, rad.
@@ -16,7 +18,7 @@ pub struct Angle {
 impl Angle {
     /// The angle 0.
     pub fn zero() -> Self {
-        Self { sweep: None, eighths: 0, poly: Poly::ZERO }
+        Self { sweep: None, given: None, eighths: 0, poly: Poly::ZERO }
     }
 
     /// Sine and cosine as polynomials in the sweep's sine and cosine, in normal form (Chebyshev's, by repeated rotation).
@@ -29,13 +31,19 @@ impl Angle {
             let sin = if multiple < 0 { Poly::nominal(sin).negated() } else { Poly::nominal(sin) };
             turned = rotate_times(turned, &(sin, Poly::nominal(cos)), multiple.abs(), alphabet)?;
         }
+        if let Some((given, multiple)) = &self.given {
+            let [sin, cos] = &**given;
+            let sin = if *multiple < 0 { sin.negated() } else { sin.clone() };
+            turned = rotate_times(turned, &(sin, cos.clone()), multiple.abs(), alphabet)?;
+        }
         Ok(turned)
     }
 
     /// The same angle `n` times over.
     pub fn times(&self, n: i32) -> Result<Self, AlgebraError> {
         let sweep = self.sweep.map(|(s, m)| (s, m * n));
-        Ok(Self { sweep, eighths: self.eighths * n, poly: self.poly.scaled(&Rational::from(i128::from(n)))? })
+        let given = self.given.clone().map(|(given, m)| (given, m * n));
+        Ok(Self { sweep, given, eighths: self.eighths * n, poly: self.poly.scaled(&Rational::from(i128::from(n)))? })
     }
 }
 

@@ -185,9 +185,22 @@ impl Poly {
         (0..exponent).try_fold(Self::one(), |p, _| p.times(self, order))
     }
 
-    /// The unique form under cos² = 1 − sin² for every sweep and √2² = 2: cosine and √2 at most once in a term.
+    /// The form under cos² = 1 − sin² for every sweep, √2² = 2 and the square of every root: cosines, √2 and roots at most once in
+    /// a term. It is unique where it divides by no root.
     pub fn normal(&self, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
-        let mut p = self.normal_root2()?;
+        let mut p = self.clone();
+        for (id, root) in alphabet.roots() {
+            while p.terms.iter().any(|(m, _)| m.exponent(id) >= 2) {
+                let (high, mut low): (Vec<Term>, Vec<Term>) =
+                    p.terms.into_iter().partition(|(m, _)| m.exponent(id) >= 2);
+                let square = Self::from_terms(root.of.clone())?;
+                let lowered = high.into_iter().map(|(m, c)| (m.with_exponent(id, m.exponent(id) - 2), c));
+                let lowered = Self::from_terms(lowered.collect())?;
+                low.extend(lowered.times(&square, Order(MAX_ERROR_ORDER as u8))?.terms);
+                p = Self::from_terms(low)?;
+            }
+        }
+        let mut p = p.normal_root2()?;
         for (sin, cos) in alphabet.circles() {
             let reducible = |m: &Monomial| m.exponent(cos) >= 2;
             while p.terms.iter().any(|(m, _)| reducible(m)) {
@@ -206,6 +219,21 @@ impl Poly {
             }
         }
         Ok(p)
+    }
+
+    /// Whether it is zero along every path, whatever it divides by.
+    pub fn vanishes(&self, alphabet: &Alphabet) -> Result<bool, AlgebraError> {
+        Ok(self
+            .times(&Self::term(Self::divisor([self], alphabet), integer(1)), Order(MAX_ERROR_ORDER as u8))?
+            .normal(alphabet)?
+            .is_zero())
+    }
+
+    /// The powers of roots that any of some polynomials divides by.
+    pub fn divisor<'a>(polys: impl IntoIterator<Item = &'a Self>, alphabet: &Alphabet) -> Monomial {
+        let monomials = || polys.into_iter().flat_map(|p| p.terms.iter().map(|(m, _)| *m));
+        let lowest = monomials().fold(Monomial::ONE, |lowest, m| lowest.lower(&m));
+        alphabet.roots().fold(Monomial::ONE, |m, (id, _)| m.with_exponent(id, -lowest.exponent(id)))
     }
 
     /// √2² = 2 put in, and nothing else.

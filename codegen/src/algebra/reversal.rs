@@ -74,7 +74,9 @@ mod tests {
             alphabet.constant(name).unwrap();
         }
         let sweep = alphabet.sweep("a").unwrap();
-        let poly = |text: &str| Scope { alphabet: &alphabet, sweep: Some(sweep) }.poly(&parse(text).unwrap()).unwrap();
+        let poly = |text: &str| {
+            Scope { alphabet: &alphabet, sweep: Some(sweep), defined: &[] }.poly(&parse(text).unwrap()).unwrap()
+        };
         let sense = |text: &str| {
             let sense = Sense::along(&poly(text), sweep, &alphabet).unwrap();
             sense.map(|sense| Poly::from_terms(sense.of).unwrap())

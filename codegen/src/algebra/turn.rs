@@ -58,7 +58,7 @@ mod tests {
         for multiple in [-3, -1, 1, 2] {
             for eighths in -9..9 {
                 for start in -30..30 {
-                    let angle = Angle { sweep: Some((sweep, multiple)), eighths, poly: Poly::ZERO };
+                    let angle = Angle { sweep: Some((sweep, multiple)), eighths, ..Angle::zero() };
                     let turned = Turned::new(&angle, start);
                     let own = turned.wrapped.unwrap();
                     assert!(own.multiple > 0 && (0..TURN).contains(&own.start));

@@ -1,6 +1,6 @@
 //! Numbers for symbols: what a polynomial is at a value of its sweep.
 
-use super::{Alphabet, Harmonic, Harmonics, Nominal, NominalId, Poly, to_f64};
+use super::{Alphabet, Harmonic, Harmonics, Nominal, NominalId, Poly, Terms, to_f64};
 
 /// Value of a polynomial along a path: the sweep's value in rad, the constants in mm.
 pub fn at(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: impl Fn(&str) -> f64) -> f64 {
@@ -18,6 +18,8 @@ fn value(poly: &Poly, alphabet: &Alphabet, sweep: f64, constant: &dyn Fn(&str) -
 
 /// Value of a nominal symbol along a path on which the sweep increases.
 pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: &dyn Fn(&str) -> f64) -> f64 {
+    let power = |id| nominal_value(id, alphabet, sweep, constant);
+    let of_terms = |terms: &Terms| terms.iter().map(|(m, c)| to_f64(c) * m.evaluate(power)).sum::<f64>();
     match alphabet.nominal(id) {
         Nominal::Pi => core::f64::consts::PI,
         Nominal::Root2 => core::f64::consts::SQRT_2,
@@ -26,10 +28,9 @@ pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: &
         Nominal::Sin(_) => sweep.sin(),
         Nominal::Cos(_) => sweep.cos(),
         Nominal::Wrapped { angle, .. } => wrapped_value(f64::from(angle.multiple) * sweep, angle.start),
-        Nominal::Sense { sense, .. } => {
-            let power = |id| nominal_value(id, alphabet, sweep, constant);
-            sign(sense.of.iter().map(|(m, c)| to_f64(c) * m.evaluate(power)).sum())
-        }
+        Nominal::Root { root, .. } => of_terms(&root.of).sqrt(),
+        Nominal::Arctangent { angle, .. } => of_terms(&angle.sin).atan2(of_terms(&angle.cos)),
+        Nominal::Sense { sense, .. } => sign(of_terms(&sense.of)),
     }
 }
 

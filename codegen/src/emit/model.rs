@@ -3,11 +3,11 @@
 use super::equations::{Style, extent};
 use super::function::{Function, Input, Output};
 use crate::algebra::{Alphabet, Fraction, Harmonic, Harmonics, Nominal, NominalId, Poly};
-use crate::basis::{Arithmetic, Basis, Univariate};
+use crate::basis::{Arithmetic, Basis, BasisFunction, Coordinate, Univariate};
 use crate::graph::{Graph, Id, Rational, Symbol, Unbound};
 use crate::identify::{Derivation, Determination};
 use crate::ids::{BaseId, FunctionId, RunId, TermId};
-use crate::model::{AxisKind, ErrorFunction, Model, NuisanceKind, ReadingKind};
+use crate::model::{Axis, AxisKind, ErrorFunction, Model, NuisanceKind, ReadingKind, Run};
 use typed_index_collections::TiVec;
 
 /// What one run's samples become: inputs are the lengths of the set-up and the sweep, outputs the regressors in the order of
@@ -24,7 +24,7 @@ pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Functio
     let symbol = Symbol::Nominal(alphabet.sweep_symbols(sweep)[0]);
     inputs.push(Input::new(symbol, alphabet.sweep_name(sweep), "the sweep, rad"));
     inputs.extend(
-        senses(model, run)
+        motion(model, run)
             .into_iter()
             .map(|sense| Input::new(Symbol::Nominal(sense), &alphabet.nominal_name(sense), &moves(model, sense))),
     );
@@ -47,16 +47,33 @@ pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Functio
     Function::new(&graph, &derived.name, &[&doc], inputs, &outputs)
 }
 
-/// The senses that a run's row takes behind its sweep, ascending.
-pub fn senses(model: &Model, run: RunId) -> Vec<NominalId> {
-    let mut senses: Vec<NominalId> = model.runs[run].nuisance.iter().map(|n| n.sense).collect();
-    senses.sort_unstable();
-    senses.dedup();
-    senses
+/// What a run's row takes behind its sweep, ascending: angles that are given by their sine and cosine and that a polynomial is a
+/// function of, and senses.
+pub fn motion(model: &Model, run: RunId) -> Vec<NominalId> {
+    let run = &model.runs[run];
+    let has_polynomial = |axis: &Axis| {
+        let own = model.functions.iter().filter(|f| axis.motion.contains(&f.error));
+        own.flat_map(|f| f.basis.functions()).any(|f| matches!(f, BasisFunction::Polynomial(_)))
+    };
+    let is_angle = |id: &NominalId| {
+        let given = matches!(model.alphabet.nominal(*id), Nominal::Arctangent { .. });
+        let own = |(axis, c): (&Axis, &Coordinate)| c.poly() == Some(&Poly::nominal(*id)) && has_polynomial(axis);
+        given && model.axes().zip(&run.at).any(own)
+    };
+    let angles = model.alphabet.nominals().map(|(id, _)| id).filter(is_angle);
+    let mut motion: Vec<NominalId> = angles.chain(run.nuisance.iter().map(|n| n.sense)).collect();
+    motion.sort_unstable();
+    motion.dedup();
+    motion
 }
 
-/// What a sense is the sign of.
+/// What an angle or a sense is.
 pub(super) fn moves(model: &Model, sense: NominalId) -> String {
+    if let Nominal::Arctangent { .. } = model.alphabet.nominal(sense) {
+        let of = |run: &Run| run.at.iter().position(|c| c.poly() == Some(&Poly::nominal(sense)));
+        let axis = model.runs.iter().find_map(of).and_then(|at| model.axis(at.into()));
+        return format!("the angle of axis {}, rad", axis.map_or("", |axis| &axis.name));
+    }
     let mut terms = model.runs.iter().flat_map(|run| &run.nuisance).filter(|n| n.sense == sense && !n.against);
     let of = terms.find(|n| n.kind != NuisanceKind::Lag).and_then(|n| model.axis(n.axis));
     let of = of.map_or("the sweep".to_owned(), |axis| format!("the coordinate of axis {}", axis.name));
@@ -247,7 +264,13 @@ fn nominal(graph: &mut Graph, alphabet: &Alphabet, id: NominalId) -> Id {
     match alphabet.nominal(id) {
         Nominal::Pi => Id::PI,
         Nominal::Root2 => Id::SQRT_2,
-        Nominal::Constant(_) | Nominal::Sweep(_) | Nominal::Sense { .. } => graph.symbol(Symbol::Nominal(id)),
+        Nominal::Constant(_) | Nominal::Sweep(_) | Nominal::Sense { .. } | Nominal::Arctangent { .. } => {
+            graph.symbol(Symbol::Nominal(id))
+        }
+        Nominal::Root { root, .. } => {
+            let of = Poly::from_terms(root.of.clone()).map_or(Id::ZERO, |of| poly(graph, alphabet, &of));
+            graph.sqrt(of)
+        }
         Nominal::Wrapped { angle, .. } => {
             let sweep = sweep(angle.sweep);
             let turned = graph.monomial(Rational::from(i128::from(angle.multiple)), &[(sweep, 1)]);

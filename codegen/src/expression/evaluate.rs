@@ -32,7 +32,9 @@ impl core::fmt::Display for Meaning {
             Self::NotAnAngle => f.write_str("not an angle with an exact sine and cosine"),
             Self::Divisor => f.write_str("division by a sum"),
             Self::Exponent => f.write_str("an exponent is a whole number from 0 to 20"),
-            Self::Root => f.write_str("only square roots of n² and 2n² are exact here"),
+            Self::Root => {
+                f.write_str("only square roots of n² and 2n² are exact here; one of a sum stands alone under `define`")
+            }
             Self::Algebra(e) => core::fmt::Display::fmt(e, f),
         }
     }
@@ -50,6 +52,8 @@ pub struct Scope<'a> {
     pub alphabet: &'a Alphabet,
     /// The sweep in force.
     pub sweep: Option<SweepId>,
+    /// What a run defines.
+    pub defined: &'a [(String, Poly)],
 }
 
 impl Scope<'_> {
@@ -97,6 +101,7 @@ impl Scope<'_> {
                 },
                 _ => fail(Meaning::UnknownFunction(name.clone())),
             },
+            ExprKind::Arctangent(..) => fail(Meaning::NotAnAngle),
             ExprKind::Call(name, ..) => fail(Meaning::UnknownFunction(name.clone())),
         }
     }
@@ -109,6 +114,9 @@ impl Scope<'_> {
 
     fn name(&self, name: &str) -> Option<Poly> {
         let sweep = self.sweep.filter(|&s| self.alphabet.sweep_name(s) == name);
+        if let Some((_, poly)) = self.defined.iter().find(|(own, _)| own == name) {
+            return Some(poly.clone());
+        }
         let id = match sweep {
             Some(sweep) => self.alphabet.sweep_symbols(sweep)[0],
             None if name == "pi" => Alphabet::PI,
@@ -118,7 +126,7 @@ impl Scope<'_> {
     }
 
     fn as_angle(&self, poly: Poly) -> Option<Angle> {
-        let mut angle = Angle { sweep: None, eighths: 0, poly: Poly::ZERO };
+        let mut angle = Angle::zero();
         let whole =
             |c: &Rational| c.to_integer().and_then(|n| i32::try_from(n).ok()).filter(|n| n.unsigned_abs() <= 64);
         for (m, c) in poly.terms() {
@@ -155,7 +163,7 @@ mod tests {
         let mut alphabet = Alphabet::default();
         alphabet.constant("R").unwrap();
         let sweep = alphabet.sweep("a").unwrap();
-        let scope = Scope { alphabet: &alphabet, sweep: Some(sweep) };
+        let scope = Scope { alphabet: &alphabet, sweep: Some(sweep), defined: &[] };
         let value = |text: &str| scope.poly(&parse(text).unwrap());
         for (text, expected) in [
             ("sin(3*a - pi/4)", f64::sin(3.0 * 0.7 - core::f64::consts::FRAC_PI_4)),

@@ -161,6 +161,15 @@ impl Parser<'_> {
             });
         }
         let argument = self.sum()?;
+        if name == "atan2" && primes == 0 && self.take(",") {
+            let cosine = self.sum()?;
+            return if self.take(")") {
+                let node = ExprKind::Arctangent(Box::new(argument), Box::new(cosine));
+                Ok(Expr { node, span: start..self.at })
+            } else {
+                Err(self.error(Expected::Closing))
+            };
+        }
         if self.take(")") {
             Ok(Expr { node: ExprKind::Call(name, primes, Box::new(argument)), span: start..self.at })
         } else {

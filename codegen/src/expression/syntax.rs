@@ -22,6 +22,8 @@ pub enum ExprKind {
     Negative(Box<Expr>),
     /// x + y, x − y, x·y, x / y, x ^ y
     Binary(Operator, Box<Expr>, Box<Expr>),
+    /// `atan2(y, x)`: the angle with the sine y and the cosine x.
+    Arctangent(Box<Expr>, Box<Expr>),
     /// `sin(x)`, `f(x)`, `f'(x)`: the name, the number of primes, the argument.
     Call(String, u32, Box<Expr>),
 }

@@ -60,7 +60,9 @@ mod tests {
         alphabet.constant("R").unwrap();
         alphabet.constant("L").unwrap();
         let sweep = alphabet.sweep("c").unwrap();
-        let read = |text: &str| Scope { alphabet: &alphabet, sweep: Some(sweep) }.poly(&parse(text).unwrap()).unwrap();
+        let read = |text: &str| {
+            Scope { alphabet: &alphabet, sweep: Some(sweep), defined: &[] }.poly(&parse(text).unwrap()).unwrap()
+        };
         for text in [
             "0",
             "-1/2",

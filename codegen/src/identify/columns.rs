@@ -64,8 +64,8 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
 fn seen_of(found: Vec<Column>, alphabet: &Alphabet) -> Result<Vec<Column>, AlgebraError> {
     let mut kept = Vec::with_capacity(found.len());
     for column in found {
-        let normal = column.by_run.iter().map(|c| c.normal(alphabet)).collect::<Result<Vec<_>, _>>()?;
-        if normal.iter().any(|c| !c.is_zero()) {
+        let unseen = column.by_run.iter().map(|c| c.vanishes(alphabet)).collect::<Result<Vec<_>, _>>()?;
+        if unseen.contains(&false) {
             kept.push(column);
         }
     }

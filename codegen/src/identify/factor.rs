@@ -8,7 +8,7 @@ use super::columns::Columns;
 use super::derivation::{BaseParameter, Derivation, DeriveError, DerivedRun};
 use super::determined::determined;
 use super::parameter::Parameter;
-use crate::algebra::{AlgebraError, Alphabet, Fraction, Monomial, Poly, Row, integer, reduce, subtract};
+use crate::algebra::{AlgebraError, Alphabet, Fraction, Monomial, Order, Poly, Row, integer, reduce, subtract};
 use crate::ids::{BaseId, ParameterId, RunId};
 use crate::model::Model;
 use crate::model::Origin;
@@ -68,13 +68,25 @@ fn matrix(
         let ids = alphabet.nominals().filter(|(id, _)| alphabet.is_constant(*id) != keep);
         ids.fold(*m, |m, (id, _)| m.with_exponent(id, 0))
     };
+    // Dividing all by what any divides by keeps what depends on what.
+    let divisor = Poly::divisor(raw, alphabet);
+    let (whole, back) = (Poly::term(divisor, integer(1)), divisor.recip()?);
     let mut rows: std::collections::BTreeMap<Monomial, Row<ParameterId>> = Default::default();
     for (j, column) in raw.iter_enumerated() {
-        for (monomial, entry) in column.normal(alphabet)?.group(|m| constants(m, false), |m| constants(m, true)) {
+        for (monomial, entry) in column
+            .times(&whole, Order::NOMINAL)?
+            .normal(alphabet)?
+            .group(|m| constants(m, false), |m| constants(m, true))
+        {
             rows.entry(monomial).or_insert_with(|| ti_vec![Fraction::zero(); raw.len()])[j] = Fraction::whole(entry);
         }
     }
-    Ok(rows.into_iter().unzip())
+    let mut divided = (Vec::with_capacity(rows.len()), Vec::with_capacity(rows.len()));
+    for (monomial, row) in rows {
+        divided.0.extend(monomial.times(&back, 0)?);
+        divided.1.push(row);
+    }
+    Ok(divided)
 }
 
 /// `Σ monomial · entry`; as the pivot's own column, with its products as they stand, where that is the same.

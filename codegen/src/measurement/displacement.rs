@@ -19,7 +19,7 @@ pub(super) fn displacement(
     let v = difference(&tool, &workpiece)?;
     let nominal = v.each_ref().map(|p| p.of_order(0));
     let square = dot(&nominal, &nominal, Order::NOMINAL)?.normal(alphabet)?;
-    if !square.is_zero() {
+    if !square.vanishes(alphabet)? {
         return Err(ReadingError::NotTogether(length(&square)?));
     }
     Ok(dot(direction, &v, order)?.normal(alphabet)?)

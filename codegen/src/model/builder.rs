@@ -144,6 +144,12 @@ impl DraftRun {
         Self { name: name.into(), sweep: sweep.into(), reading, ..Self::default() }
     }
 
+    /// A name for a part of its expressions; one that is `sqrt(…)` of a polynomial is its positive root.
+    pub fn define(mut self, name: impl Into<Text>, expression: impl Into<Text>) -> Self {
+        self.define.push((name.into(), expression.into()));
+        self
+    }
+
     /// Coordinate of an axis: an expression of the sweep, or `rest`.
     pub fn at(mut self, axis: impl Into<Text>, coordinate: impl Into<Text>) -> Self {
         self.at.push((axis.into(), coordinate.into()));

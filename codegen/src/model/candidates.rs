@@ -258,6 +258,7 @@ impl<'a> Machine<'a> {
             workpiece_ball,
             tool_ball,
             reading,
+            define: Vec::new(),
             nuisance: Vec::new(),
         }))
     }

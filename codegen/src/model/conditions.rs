@@ -44,7 +44,7 @@ fn has_f(e: &Expr) -> bool {
     match &e.node {
         ExprKind::Call(name, _, x) => name == "f" || has_f(x),
         ExprKind::Negative(x) => has_f(x),
-        ExprKind::Binary(_, x, y) => has_f(x) || has_f(y),
+        ExprKind::Binary(_, x, y) | ExprKind::Arctangent(x, y) => has_f(x) || has_f(y),
         ExprKind::Number(..) | ExprKind::Name(_) => false,
     }
 }

@@ -82,6 +82,8 @@ pub struct DraftRun {
     pub name: Text,
     /// The parameter of its path.
     pub sweep: Text,
+    /// Names for parts of its expressions.
+    pub define: Vec<(Text, Text)>,
     /// Axis and coordinate: an expression or `rest`.
     pub at: Vec<(Text, Text)>,
     /// The ball on the workpiece.

@@ -61,7 +61,7 @@ const TOP: &[&str] = &[
 const AXIS: &[&str] = &["rotary", "linear", "location", "range"];
 const INSTRUMENT: &[&str] =
     &["preset", "constant_um", "noise_um", "proportional", "bar_length_um", "temperature_k", "expansion_per_k"];
-const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "reading", "nuisance"];
+const RUN: &[&str] = &["sweep", "define", "at", "workpiece_ball", "tool_ball", "reading", "nuisance"];
 const READING: &[&str] = &["displacement"];
 const BALL: &[&str] = &["at", "setup"];
 const BASIS: &[&str] = &["polynomial", "conditions", "fourier"];
@@ -164,13 +164,14 @@ impl Reader {
 
     fn run(&mut self, name: Text, table: &DeTable) -> DraftRun {
         self.known_keys(table, RUN);
-        let at = self
-            .tables(table, "at")
-            .into_iter()
-            .filter_map(|(axis, value)| Some((text_of(axis), self.text(value)?)))
-            .collect();
+        let mut pairs = |key: &str| {
+            let entries = self.tables(table, key);
+            entries.into_iter().filter_map(|(name, value)| Some((text_of(name), self.text(value)?))).collect()
+        };
+        let (define, at) = (pairs("define"), pairs("at"));
         DraftRun {
             sweep: self.required(table, "sweep", name.span.clone()),
+            define,
             at,
             workpiece_ball: self.ball(table, "workpiece_ball"),
             tool_ball: self.ball(table, "tool_ball"),

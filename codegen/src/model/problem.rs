@@ -87,6 +87,10 @@ pub enum ProblemKind {
     NotAPoint(String),
     /// The model has no run.
     NoRuns,
+    /// A sine and a cosine whose squares do not add up to 1.
+    NotOnACircle,
+    /// A function of an axis' angle less whole turns, along a path that gives its sine and cosine.
+    TurnOfArctangent(String),
     /// Not a nuisance term.
     NotANuisance(String),
     /// A nuisance term of an axis that does not move in its run.
@@ -138,6 +142,13 @@ impl fmt::Display for ProblemKind {
             Self::NothingToAssume(name) => write!(f, "`{name}` is nothing that could be assumed here"),
             Self::NotAPoint(_) => write!(f, "not a point of the function's axis"),
             Self::NoRuns => write!(f, "the model has no run"),
+            Self::NotOnACircle => write!(f, "the squares of this sine and cosine do not add up to 1"),
+            Self::TurnOfArctangent(axis) => {
+                write!(
+                    f,
+                    "a function of axis {axis} is one of the angle less whole turns, and this run gives its sine and cosine"
+                )
+            }
             Self::NotANuisance(term) => write!(f, "`{term}` is not what a run may have besides the geometry"),
             Self::Standing(axis) => write!(f, "axis {axis} does not move in this run"),
             Self::MovesAlone => write!(f, "a servo mismatch is one of two axes, and fewer move in this run"),
@@ -269,6 +280,8 @@ impl ProblemKind {
                     .into()
             }
             Self::NotAPoint(letter) => format!("the axis' letter and its coordinate, mm or rad: `{letter} = 0`"),
+            Self::NotOnACircle => "atan2(y, x) with y² + x² = 1 exactly, along the whole sweep".into(),
+            Self::TurnOfArctangent(_) => "use { fourier = n }, or a polynomial without conditions that make it periodic".into(),
             Self::NotANuisance(_) => {
                 "expected \"backlash Y\", \"lag Y\" (of an axis), \"lateral play EZY\" (of a motion error) or \"mismatch\"".into()
             }

@@ -10,6 +10,10 @@ impl Display for DraftRun {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "[run.{}]", key(&self.name.value))?;
         writeln!(f, "sweep = {}", string(&self.sweep.value))?;
+        if !self.define.is_empty() {
+            let define = self.define.iter().map(|(name, is)| format!("{} = {}", key(&name.value), string(&is.value)));
+            writeln!(f, "define = {{ {} }}", define.collect::<Vec<_>>().join(", "))?;
+        }
         let at: Vec<String> =
             self.at.iter().map(|(axis, at)| format!("{} = {}", key(&axis.value), string(&at.value))).collect();
         writeln!(f, "at = {{ {} }}", at.join(", "))?;

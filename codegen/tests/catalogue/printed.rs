@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use trunnion_codegen::algebra::{Fraction, Poly};
-use trunnion_codegen::emit::model::senses;
+use trunnion_codegen::emit::model::motion;
 use trunnion_codegen::emit::{c, c99, numpy};
 use trunnion_codegen::identify::Derivation;
 use trunnion_codegen::ids::RunId;
@@ -29,11 +29,11 @@ fn places(run: RunId) -> Vec<(f64, f64)> {
     sweeps.into_iter().zip([1.0, -1.0].into_iter().cycle()).collect()
 }
 
-/// What a run's function takes besides the lengths: the sweep, then the senses, at every sample.
+/// What a run's function takes besides the lengths: the sweep, then how axes move, at every sample.
 fn inputs(model: &Model, run: RunId) -> Vec<Vec<f64>> {
     let at = |id| places(run).into_iter().map(|(sweep, way)| value_at(model, id, sweep, way)).collect();
     let [sweep, ..] = model.alphabet.sweep_symbols(model.runs[run].sweep);
-    [sweep].into_iter().chain(senses(model, run)).map(at).collect()
+    [sweep].into_iter().chain(motion(model, run)).map(at).collect()
 }
 
 /// What a run's function must return at one value of the sweep, each with the size of the terms that are added up.

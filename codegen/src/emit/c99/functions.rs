@@ -79,7 +79,7 @@ fn push(
     let values = inputs.iter().chain([&reading]).chain(&known).map(|name| format!("{kind} {name}"));
     let parameters: Vec<String> = [format!("{prefix}_fit *{fit}")].into_iter().chain(values).collect();
     let signature = listed(&format!("{prefix}_status {prefix}_{push}("), &parameters, ")", 4);
-    let ways = if model::senses(model, at).is_empty() { "" } else { ", directions of motion (1 or -1)" };
+    let ways = if model::motion(model, at).is_empty() { "" } else { ", how axes move" };
     let also = if known.is_empty() { "" } else { ", the known functions there (mm or rad)" };
     let told = format!("Takes a sample of run `{}`: lengths (mm), sweep (rad){ways}, reading (mm){also}. */", run.name);
     printed.declarations += &format!("\n{}\n{signature};\n", prose("/* ", &told, 3));

@@ -171,7 +171,7 @@ mod tests {
         alphabet.constant("R").unwrap();
         let sweep = alphabet.sweep("a").unwrap();
         let e = Poly::error(alphabet.error("e_xy", Quantity::Angle).unwrap());
-        let nominal = Scope { alphabet: &alphabet, sweep: Some(sweep) }
+        let nominal = Scope { alphabet: &alphabet, sweep: Some(sweep), defined: &[] }
             .poly(&parse("-3*sqrt(2)*pi*R**2*sin(a)**3/(2*R**3) + R*a").unwrap())
             .unwrap();
         let p = nominal.times(&e, Order::LINEAR).unwrap();

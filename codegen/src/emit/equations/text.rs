@@ -34,7 +34,11 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
         let name = || model.alphabet.nominal_name(id);
         let _ = match nominal {
             Nominal::Wrapped { angle, .. } => writeln!(out, "{}", turned(model, &name(), angle)),
-            Nominal::Sense { .. } => writeln!(out, "{}: {}", name(), moves(model, id)),
+            Nominal::Root { root, .. } => {
+                let of = Poly::from_terms(root.of.clone()).unwrap_or_default();
+                writeln!(out, "{} = √({})", name(), d.printer.poly(&of))
+            }
+            Nominal::Sense { .. } | Nominal::Arctangent { .. } => writeln!(out, "{}: {}", name(), moves(model, id)),
             _ => Ok(()),
         };
     }

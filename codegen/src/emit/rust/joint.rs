@@ -6,7 +6,7 @@ use quote::quote;
 use super::function::docs;
 use super::printed::{Printed, Row};
 use super::{LOCAL, blank, ident};
-use crate::emit::model::senses;
+use crate::emit::model::motion;
 use crate::emit::names::Scope;
 use crate::identify::DerivedRun;
 
@@ -119,8 +119,8 @@ pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenS
     let mut scope = Scope::new(LOCAL, &["reading", "row", "factors"]);
     let model = printed.model;
     let sweep = scope.claim(model.alphabet.sweep_name(model.runs[row.run].sweep));
-    let senses: Vec<String> =
-        senses(model, row.run).into_iter().map(|sense| scope.claim(&model.alphabet.nominal_name(sense))).collect();
+    let motion: Vec<String> =
+        motion(model, row.run).into_iter().map(|sense| scope.claim(&model.alphabet.nominal_name(sense))).collect();
     let known: Vec<(String, &str)> = run
         .known
         .iter()
@@ -128,13 +128,13 @@ pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenS
         .map(|e| (scope.claim(model.alphabet.error_name(e)), model.alphabet.error_quantity(e).inner().suffix()))
         .collect();
     let told: Vec<String> = known.iter().map(|(name, unit)| format!("`{name}` ({unit})")).collect();
-    let ways: String = senses.iter().map(|sense| format!(", `{sense}`")).collect();
+    let ways: String = motion.iter().map(|sense| format!(", `{sense}`")).collect();
     let also = if told.is_empty() { String::new() } else { format!(" and the known {} there", told.join(", ")) };
     let doc = docs(&[format!(
         "Takes a sample of run `{}`: the sweep `{sweep}` (rad){ways}, the reading (mm){also}.",
         run.name
     )]);
-    let place: Vec<Ident> = [&sweep].into_iter().chain(&senses).map(|name| ident(name)).collect();
+    let place: Vec<Ident> = [&sweep].into_iter().chain(&motion).map(|name| ident(name)).collect();
     let known: Vec<Ident> = known.iter().map(|(name, _)| ident(name)).collect();
     let body = match known.is_empty() {
         true => quote!(let row = #function(#lengths #(#place),*);),

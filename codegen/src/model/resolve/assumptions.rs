@@ -65,7 +65,7 @@ impl Resolver {
 
     /// Adds `factor · e` to `sum`; false if e is not linear and homogeneous in names that are no constants.
     fn collect(&self, text: &Text, e: &Expr, factor: &Poly, sum: &mut Named) -> Result<bool, EvaluationError> {
-        let scope = Scope { alphabet: &self.alphabet, sweep: None };
+        let scope = Scope { alphabet: &self.alphabet, sweep: None, defined: &[] };
         let scaled = |by: Poly| {
             let product = by.times(factor, Order::NOMINAL);
             product.map_err(|a| (e.span.clone(), crate::expression::Meaning::Algebra(a)))
@@ -145,7 +145,7 @@ impl Resolver {
         };
         let value = part(text, name.len() + 1, text.value.len());
         let expr = self.parsed(&value, parse(&value.value))?;
-        let scope = Scope { alphabet: &self.alphabet, sweep: None };
+        let scope = Scope { alphabet: &self.alphabet, sweep: None, defined: &[] };
         match axis.kind {
             AxisKind::Linear => {
                 let at = scope.poly(&expr);

@@ -72,7 +72,7 @@ impl Resolver {
 
     fn condition(&mut self, text: &Text) -> Option<LinearCondition> {
         let (left, right) = self.parsed(text, parse_equation(&text.value))?;
-        let found = condition(&Scope { alphabet: &self.alphabet, sweep: None }, &left, &right);
+        let found = condition(&Scope { alphabet: &self.alphabet, sweep: None, defined: &[] }, &left, &right);
         self.meaning(text, found)?.or_else(|| self.problem(&text.span, ProblemKind::NotACondition))
     }
 }

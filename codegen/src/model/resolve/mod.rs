@@ -3,6 +3,7 @@
 mod assumptions;
 mod axes;
 mod build;
+mod defined;
 mod functions;
 mod names;
 mod nuisance;

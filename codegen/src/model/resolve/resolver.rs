@@ -12,6 +12,8 @@ pub(super) struct Resolver {
     /// ISO name of each error made, for look-up by either name.
     pub iso: Vec<(String, ErrorId)>,
     pub problems: Vec<Problem>,
+    /// What the run that is being resolved defines.
+    pub defined: Vec<(String, Poly)>,
 }
 
 impl Resolver {
@@ -43,13 +45,10 @@ impl Resolver {
             }
             three => self.vector(three, owner, sweep)?,
         };
-        let square = dot(&direction, &direction, Order::NOMINAL).and_then(|p| p.normal(&self.alphabet));
+        let off = dot(&direction, &direction, Order::NOMINAL)
+            .and_then(|square| square.minus(&Poly::one())?.vanishes(&self.alphabet));
         let span = written.first().map_or(owner.clone(), |t| t.span.clone());
-        if self.exact(&span, square)? == Poly::one() {
-            Some(direction)
-        } else {
-            self.problem(&span, ProblemKind::NotAUnitVector)
-        }
+        if self.exact(&span, off)? { Some(direction) } else { self.problem(&span, ProblemKind::NotAUnitVector) }
     }
 
     /// Three expressions; an empty list is the origin.
@@ -67,8 +66,14 @@ impl Resolver {
 
     pub fn poly(&mut self, text: &Text, sweep: Option<SweepId>) -> Option<Poly> {
         let expr = self.parsed(text, parse(&text.value))?;
-        let value = Scope { alphabet: &self.alphabet, sweep }.poly(&expr);
+        let value = self.scope(sweep).poly(&expr);
         self.meaning(text, value)
+    }
+
+    /// What expressions may use: along a sweep what its run defines, too.
+    pub fn scope(&self, sweep: Option<SweepId>) -> Scope<'_> {
+        let defined = if sweep.is_some() { self.defined.as_slice() } else { &[] };
+        Scope { alphabet: &self.alphabet, sweep, defined }
     }
 
     pub fn parsed<T>(&mut self, text: &Text, result: Result<T, SyntaxError>) -> Option<T> {

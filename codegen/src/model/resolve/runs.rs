@@ -4,7 +4,7 @@ use super::nuisance::Path;
 use super::resolver::Resolver;
 use crate::algebra::{NominalId, Poly, Quantity, SweepId};
 use crate::basis::Coordinate;
-use crate::expression::{Scope, parse};
+use crate::expression::{ExprKind, parse};
 use crate::ids::AxisId;
 use crate::model::{Axis, AxisKind, Ball, Draft, DraftBall, DraftReading, DraftRun, ProblemKind, ReadingKind, Run};
 use crate::source::Text;
@@ -27,6 +27,7 @@ impl Resolver {
                 self.problem::<()>(&name.span, ProblemKind::Taken(name.value.clone()));
             }
         }
+        self.define(run, sweep);
         let at: TiVec<AxisId, Coordinate> = axes.iter().filter_map(|axis| self.coordinate(run, axis, sweep)).collect();
         let workpiece_ball = self.ball(&run.workpiece_ball, run, sweep);
         let tool_ball = self.ball(&run.tool_ball, run, sweep);
@@ -76,13 +77,16 @@ impl Resolver {
             return Some(Coordinate::Rest);
         }
         let expr = self.parsed(text, parse(&text.value))?;
-        let scope = Scope { alphabet: &self.alphabet, sweep: Some(sweep) };
-        match axis.kind {
-            AxisKind::Linear => {
+        let scope = self.scope(Some(sweep));
+        match (axis.kind, &expr.node) {
+            (AxisKind::Rotary, ExprKind::Arctangent(sin, cos)) => {
+                self.arctangent(text, sin, cos, axis, sweep).map(Coordinate::Rotary)
+            }
+            (AxisKind::Linear, _) => {
                 let value = scope.poly(&expr);
                 self.meaning(text, value).map(Coordinate::Linear)
             }
-            AxisKind::Rotary => {
+            (AxisKind::Rotary, _) => {
                 let value = scope.angle(&expr);
                 self.meaning(text, value).map(Coordinate::Rotary)
             }

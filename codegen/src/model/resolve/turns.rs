@@ -4,7 +4,7 @@ use super::resolver::Resolver;
 use crate::algebra::{Angle, Poly, Turned, WrappedAngle};
 use crate::basis::{Basis, BasisFunction, Coordinate};
 use crate::ids::{FunctionId, RunId};
-use crate::model::{Axis, ErrorFunction, Run};
+use crate::model::{Axis, ErrorFunction, ProblemKind, Run};
 use typed_index_collections::TiSlice;
 
 impl Resolver {
@@ -20,6 +20,10 @@ impl Resolver {
                 let Coordinate::Rotary(angle) = coordinate else { continue };
                 let own = functions.iter().filter(|f| axis.motion.contains(&f.error));
                 for start in own.filter_map(|f| f.basis.turn_from()).collect::<Vec<_>>() {
+                    if angle.given.is_some() {
+                        self.problem::<()>(&run.places[0], ProblemKind::TurnOfArctangent(axis.name.clone()));
+                        continue;
+                    }
                     let Some(wrapped) = Turned::new(angle, start).wrapped else { continue };
                     let name = self.turn_name(wrapped, axes, runs, functions);
                     let made = self.alphabet.wrapped(wrapped, name);
