@@ -18,4 +18,5 @@ mod refused;
 mod simulated;
 mod stated;
 
+pub use output::seen;
 pub use refused::Refused;

@@ -132,6 +132,11 @@ impl Function {
         &self.program
     }
 
+    /// The first result and those that hold something, for languages in which each function has a type of its own.
+    pub(super) fn filled(&self) -> impl Iterator<Item = &(String, Form)> {
+        self.results.iter().enumerate().filter(|(at, (_, form))| *at == 0 || form.len() > 0).map(|(_, result)| result)
+    }
+
     /// Whether a step or an output uses the input at each place.
     pub(super) fn used(&self) -> Vec<bool> {
         let program = &self.program;

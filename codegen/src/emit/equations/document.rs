@@ -173,6 +173,6 @@ impl<'a> Document<'a> {
     /// The coordinate's letter of an axis error: `a` for the axis A.
     pub fn coordinate(&self, id: FunctionId) -> String {
         let axis = self.model.axis_of(self.model.functions[id].error);
-        axis.and_then(|(id, _)| self.model.axis(id)).map_or_else(|| "x".to_owned(), |axis| axis.name.to_lowercase())
+        axis.and_then(|(id, _)| self.model.axis(id)).map_or_else(|| "x".to_owned(), |axis| axis.coordinate.clone())
     }
 }

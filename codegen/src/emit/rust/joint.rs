@@ -115,7 +115,7 @@ pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenS
     let called = ident(&format!("push_{}", row.name));
     let function = printed.path(&row.name);
     let lengths = printed.own_lengths();
-    let mut scope = Scope::new(LOCAL, &["reading", "row", "factors"]);
+    let mut scope = Scope::new(LOCAL, &["reading", "row", "factors", &row.name.to_string()]);
     let model = printed.model;
     let sweep = scope.claim(model.alphabet.sweep_name(model.runs[row.run].sweep));
     let known: Vec<(String, &str)> = run

@@ -79,6 +79,8 @@ impl Resolver {
                 let name = format!("{}{}", self.alphabet.error_name(function.error), described.suffix(term));
                 if self.alphabet.has_name(&name) {
                     self.problem::<()>(&function.place, ProblemKind::Taken(name));
+                } else {
+                    self.alphabet.reserve(name);
                 }
             }
         }
@@ -87,6 +89,7 @@ impl Resolver {
         let lengths = self.lengths(draft);
         let limits = self.limits(draft);
         let instrument = self.instrument(draft);
+        let [workpiece, tool] = [workpiece, tool].map(|side| side.into_iter().map(|axis| self.named(axis)).collect());
         let model = Model {
             name: draft.name.value.clone(),
             title: draft.title.value.clone(),
