@@ -44,8 +44,8 @@ impl<'a> Document<'a> {
         let name = self.model.alphabet.error_name(id);
         let motion = self.model.axis_of(id).is_some();
         match (self.printer.style, name.split_once('_')) {
-            (Style::Latex, Some(("d", rest))) if motion => format!("\\delta_{{{rest}}}"),
-            (Style::Latex, Some(("e", rest))) if motion => format!("\\varepsilon_{{{rest}}}"),
+            (Style::Latex, Some(("d", rest))) if motion => format!("\\delta_{{{}}}", rest.replace('_', "\\_")),
+            (Style::Latex, Some(("e", rest))) if motion => format!("\\varepsilon_{{{}}}", rest.replace('_', "\\_")),
             _ => self.printer.name(name),
         }
     }

@@ -25,7 +25,7 @@ pub fn latex(model: &Model, derivation: &Derivation) -> String {
         align([d.reading(run), d.equation(run)].map(|right| equation(&start, &right, 2)).into());
     }
     let function = |(i, f): (FunctionId, &crate::model::ErrorFunction)| {
-        let x = d.coordinate(i);
+        let x = d.printer.name(&d.coordinate(i));
         Some(equation(&format!("{}({x}) &= ", d.error(f.error)), &d.function(i, &x)?, 2))
     };
     align(model.functions.iter_enumerated().filter_map(function).collect());

@@ -1,5 +1,6 @@
 //! The axes of either side with their errors.
 
+use super::names::WORDS;
 use super::resolver::Resolver;
 use crate::algebra::{ErrorId, Quantity};
 use crate::iso::{Component, Notation, iso_location, iso_motion, location_error};
@@ -66,7 +67,7 @@ impl Resolver {
     /// The axis with a name for its coordinate that stands for nothing else: its letter, which may be a sweep's, too.
     pub fn named(&mut self, axis: Axis) -> Axis {
         let letter = axis.name.to_lowercase();
-        let taken = self.alphabet.has_name_beside_sweeps(&letter);
+        let taken = WORDS.contains(&letter.as_str()) || self.alphabet.has_name_beside_sweeps(&letter);
         let coordinate = if taken { self.alphabet.free(format!("{letter}_axis")) } else { letter };
         self.alphabet.reserve(coordinate.clone());
         Axis { coordinate, ..axis }

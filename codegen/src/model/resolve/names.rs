@@ -5,7 +5,7 @@ use crate::model::ProblemKind;
 use crate::source::Text;
 
 /// Words of expressions, coordinates, conditions and assumptions.
-const WORDS: &[&str] = &["pi", "sin", "cos", "sqrt", "rest", "f", "at"];
+pub(super) const WORDS: &[&str] = &["pi", "sin", "cos", "sqrt", "rest", "f", "at"];
 
 impl Resolver {
     pub fn is_name(&mut self, text: &Text) -> bool {
@@ -33,7 +33,7 @@ impl Resolver {
     }
 }
 
-/// What a name becomes in generated source, whatever its case.
+/// What a name is among those of files, whatever its case.
 pub(super) fn item(name: &str) -> String {
     name.to_lowercase().replace('-', "_")
 }
