@@ -19,6 +19,17 @@ pub const ROLES: [&str; 7] = ["constant", "run", "sweep", "axis", "estimated err
 /// Words of a role in a machine.
 const EACH: usize = 3;
 
+/// Words that mean nothing.
+pub const PLAIN: [[&str; EACH]; ROLES.len()] = [
+    ["L1", "L2", "L3"],
+    ["r1", "r2", "r3"],
+    ["u", "v", "w"],
+    ["A1", "A2", "A3"],
+    ["p1", "p2", "p3"],
+    ["q1", "q2", "q3"],
+    ["h1", "h2", "h3"],
+];
+
 pub struct Machine {
     pub model: Model,
     pub derivation: Derivation,

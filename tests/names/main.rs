@@ -3,8 +3,9 @@
 
 mod languages;
 mod machines;
+mod texts;
 
-use machines::{ROLES, assert_unambiguous, machines, words};
+use machines::{PLAIN, ROLES, assert_unambiguous, machines, words};
 use std::collections::BTreeSet;
 use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
@@ -22,19 +23,10 @@ fn every_word_has_every_role_and_stands_for_one_thing() {
 
 #[test]
 fn what_is_no_identifier_is_refused_where_it_is_written() {
-    let plain = [
-        ["L1", "L2", "L3"],
-        ["r1", "r2", "r3"],
-        ["u", "v", "w"],
-        ["A1", "A2", "A3"],
-        ["p1", "p2", "p3"],
-        ["q1", "q2", "q3"],
-        ["h1", "h2", "h3"],
-    ];
-    assert!(read_and_derive(&machines::description("plain", &plain)).is_ok());
+    assert!(read_and_derive(&machines::description("plain", &PLAIN)).is_ok());
     for word in ["t-x", "_x", "1x", "δ", "x y", "pi", "sin", "cos", "sqrt", "rest", "f", "at", "\\u001b[31m", "x\\n"] {
         for role in [0, 2, 4, 5, 6] {
-            let mut called = plain;
+            let mut called = PLAIN;
             called[role][1] = word;
             let source = machines::description("m", &called).replace("\\\\", "\\");
             let problems = read_and_derive(&source).expect_err(word);
