@@ -122,7 +122,7 @@ fn numpy_of_whole_models() {
             let constants: String = model.alphabet.constants().map(|c| format!("{:?}, ", millimetres(c))).collect();
             let call = format!("{}({constants}np.array([{}]))", item(&run.name), literals(&sweeps(i)));
             writeln!(source, "assert all(0 <= at < len(NAMES) for at in {})", item(&run.name).to_uppercase()).unwrap();
-            writeln!(source, "show(*{call})").unwrap();
+            writeln!(source, "assert isinstance({call}, tuple)\nshow(*{call})").unwrap();
         }
         let file = folder().join(format!("{name}.py"));
         std::fs::write(&file, source).unwrap();
