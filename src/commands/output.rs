@@ -2,7 +2,6 @@
 
 use super::Refused;
 use std::io::{self, Write};
-use trunnion_codegen::problems::visible;
 
 /// Writes a finished document to standard output; a reader that has gone away is no error.
 pub fn print(text: &str) -> Result<(), Refused> {
@@ -10,9 +9,4 @@ pub fn print(text: &str) -> Result<(), Refused> {
         Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(Refused::Output(e.kind())),
         _ => Ok(()),
     }
-}
-
-/// Lines for a terminal, which obeys no character of theirs.
-pub fn seen(text: &str) -> String {
-    text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }

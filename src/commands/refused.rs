@@ -1,7 +1,7 @@
 //! Why a command was refused: one message, exit code 2.
 
-use super::output::seen;
 use super::pair::pair;
+use super::seen::seen;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;

@@ -1,6 +1,7 @@
 //! The model's own functions: a push for each run, a value for each estimated function.
 
-use super::{File, c, model};
+use super::file::File;
+use super::{c, model};
 use crate::emit::function::Function;
 use crate::emit::layout::listed;
 use crate::emit::model::EstimatedFunction;
