@@ -3,6 +3,7 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
+use commands::seen;
 use std::process::ExitCode;
 
 /// Derives, fits and embeds the measurement models of multi-axis machine tools.
@@ -35,7 +36,16 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        // In colours, if nothing that is quoted could pass for one.
+        Err(wrong) if !wrong.use_stderr() || std::env::args().all(|given| seen(&given) == given) => wrong.exit(),
+        Err(wrong) => {
+            eprint!("{}", seen(&wrong.to_string()));
+            return ExitCode::from(2);
+        }
+    };
+    let done = match arguments.command {
         Command::Demo(c) => c.run(),
         Command::Models(c) => c.run(),
         Command::Derive(c) => c.run(),
@@ -48,7 +58,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(refused) => {
-            eprintln!("error: {refused}");
+            eprintln!("error: {}", refused.message());
             ExitCode::from(2)
         }
     }

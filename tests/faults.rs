@@ -3,8 +3,11 @@
 use trunnion::data::{observations, write_simulation};
 use trunnion::study::{ErrorLimits, Simulation, fit, studies};
 use trunnion::{Estimator, Setup};
-use trunnion_codegen::identify::Extent;
+use trunnion_codegen::emit;
+use trunnion_codegen::identify::{Derivation, Extent};
 use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::model::{Model, ProblemKind};
+use trunnion_codegen::problems::{Colour, read_and_derive, render};
 
 /// Two runs of the second step, of which one does not see what the first step gives: the standard deviation was 8.319e-7. That
 /// any such runs are right is held to brute force in the solver's `tests/two_step.rs`.
@@ -125,4 +128,99 @@ fn simulated_files_say_what_they_hold() {
     let (result, kept) = written(include_str!("faults/run-named-table/table.toml"), &[("R", 100.0), ("L", 150.0)]);
     assert!(result.unwrap_err().to_string().contains("holds the known functions"));
     assert!(!kept.path().join("table.csv").exists());
+}
+
+fn derived(source: &str) -> (Model, Derivation) {
+    read_and_derive(source).unwrap_or_else(|p| panic!("{}", render("", source, &p, Colour::Off)))
+}
+
+fn c99(source: &str) -> String {
+    let (model, derivation) = derived(source);
+    emit::c99::sources(&model, &derivation, emit::c::Precision::Double).unwrap().single()
+}
+
+/// A length called like an axis' coordinate: the basis was evaluated at the length.
+#[test]
+fn a_coordinate_is_not_called_like_a_constant() {
+    let source = include_str!("faults/coord-constant/coord.toml");
+    let c = c99(source);
+    assert!(c.contains("double R, double b, double b_axis") && c.contains("out[0] = b_axis;"), "{c}");
+    let (model, derivation) = derived(source);
+    let function = &emit::equations::json(&model, &derivation)["functions"][0];
+    assert_eq!(function["coordinate"], "b_axis");
+    assert_eq!(function["expression"], "EBB1*b_axis + EBB2*b_axis**2");
+}
+
+/// Names that were given twice: a list over a function, sine and cosine over lengths, base parameters over a length and errors.
+#[test]
+fn every_printed_name_is_given_once() {
+    let (model, derivation) = derived(include_str!("faults/numpy-upper-run/model.toml"));
+    let numpy = emit::numpy::model_source(&model, &derivation).unwrap();
+    assert!(numpy.contains("\nBK1_2 = [") && numpy.contains("\ndef BK1(") && !numpy.contains("\nBK1 ="), "{numpy}");
+    let (model, derivation) = derived(include_str!("faults/sin-cos-names/sc.toml"));
+    let regressors = &emit::equations::json(&model, &derivation)["runs"][1]["regressors"];
+    assert!(regressors.as_object().unwrap().values().any(|r| r == "s**2*s_t**3"), "{regressors:#}");
+    for source in [include_str!("faults/base-name-clash/4.toml"), include_str!("faults/base-name-clash/k.toml")] {
+        let (model, derivation) = derived(source);
+        for base in derivation.base.iter().filter(|base| base.estimates.is_none()) {
+            assert!(!model.alphabet.has_name(&base.name), "{}", base.name);
+        }
+    }
+    let (model, derivation) = derived(include_str!("faults/rust-case-functions/case.toml"));
+    let rust = emit::rust::model_source(&model, &derivation, &emit::rust::Support::of_solver()).unwrap();
+    for once in ["pub fn err<", "pub fn err_2<", "pub fn err(", "pub fn err_2("] {
+        assert_eq!(rust.matches(once).count(), 1, "{once}");
+    }
+}
+
+/// Macros and keywords as lengths did not compile; that nothing so called does is held in `tests/names/`.
+#[test]
+fn a_length_is_not_called_like_a_macro() {
+    for (source, name) in [
+        (include_str!("faults/c-macro-names/L__N.toml"), "N"),
+        (include_str!("faults/c-macro-names/L__NULL.toml"), "NULL_2"),
+        (include_str!("faults/c-macro-names/L__DBL_EPSILON.toml"), "DBL_EPSILON_2"),
+        (include_str!("faults/c-macro-names/L__class.toml"), "class_2"),
+    ] {
+        let c = c99(source);
+        assert!(c.contains(&format!("m_fit *fit, double R, double {name}, double b, double reading")), "{name}: {c}");
+        assert!(!c.contains("#define N ") && !c.contains("static void row_of"), "{name}");
+    }
+}
+
+/// `e_b` and `eb` had one column.
+#[test]
+fn two_known_functions_have_two_columns() {
+    let model = include_str!("faults/known-underscore/kn.toml");
+    let setup = Setup::from_description(model, &[("R", 100.0), ("L", 150.0)]).unwrap();
+    let simulation = simulation(1, 36, 0.1);
+    let directory = tempfile::tempdir().unwrap();
+    write_simulation(&setup, &simulation, &simulation.measure(&setup), directory.path()).unwrap();
+    let table = directory.path().join("table.csv");
+    let text = std::fs::read_to_string(&table).unwrap();
+    let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    assert!(header.contains(&"e_b_um") && header.contains(&"eb_um"), "{header:?}");
+    let files = ["BK1", "BK2"].map(|run| (run, directory.path().join(format!("{run}.csv"))));
+    assert!(observations(&setup, &files.each_ref().map(|(run, file)| (*run, file)), Some(&table)).is_ok());
+}
+
+/// A run's underscores were subscripts of subscripts, and a title's second line was no comment.
+#[test]
+fn latex_has_nothing_of_the_model_but_names() {
+    let latex = |source: &str| {
+        let (model, derivation) = derived(source);
+        emit::equations::latex(&model, &derivation)
+    };
+    let run = latex(include_str!("faults/latex-run-name/runus.toml"));
+    assert!(run.contains("_{\\mathrm{bk\\_1\\_radial}}"), "{run}");
+    let title = latex(include_str!("faults/latex-run-name/title-newline.toml"));
+    assert!(title.starts_with("% dividing-head: 50 % table \\n\\end{document} #&_ µ\n% lengths"), "{title}");
+}
+
+/// A set-up error called `t-x` was a difference in equations.
+#[test]
+fn an_error_is_called_by_an_identifier() {
+    let source = include_str!("faults/hyphen-error-name/hyph.toml");
+    let problems = read_and_derive(source).unwrap_err();
+    assert!(problems.iter().any(|p| p.kind == ProblemKind::NotAName("t-x".to_owned())), "{problems:?}");
 }

@@ -15,7 +15,9 @@ mod output;
 mod pair;
 mod predicted;
 mod refused;
+mod seen;
 mod simulated;
 mod stated;
 
 pub use refused::Refused;
+pub use seen::seen;

@@ -74,7 +74,7 @@ pub fn function(setup: &Setup, predicted: &Predicted) -> String {
     let Some(largest) = predicted.largest else { return format!("{name}: {}", predicted.told.words) };
     let Some(axis) = setup.axis(predicted.function) else { return name };
     let (unit, of) = (setup.quantity(predicted.function).deviation(), coordinate(axis).coordinate());
-    let (letter, at) = (axis.name.to_lowercase(), of.from_inner(largest.at));
+    let (letter, at) = (&axis.coordinate, of.from_inner(largest.at));
     let (std, u95) = (unit.from_inner(largest.std), unit.from_inner(largest.u95));
     let told = &predicted.told.words;
     format!("{name}: std at most {std:.3} {unit} (95 % ± {u95:.3}) at {letter} = {at:.0} {of}, {told}")

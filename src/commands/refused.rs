@@ -1,6 +1,7 @@
 //! Why a command was refused: one message, exit code 2.
 
 use super::pair::pair;
+use super::seen::seen;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -68,6 +69,12 @@ pub enum Refused {
 }
 
 impl Refused {
+    /// What a terminal shows. A model's problems have its colours; what they quote is visible already.
+    pub fn message(&self) -> String {
+        let message = self.to_string();
+        if let Self::Model(_) = self { message } else { seen(&message) }
+    }
+
     /// A refused weight of those given.
     pub fn weight(error: &WeightError, given: &[String]) -> Self {
         match error {

@@ -69,7 +69,7 @@ fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated) -> Truth
         let value = |x: f64| unit.from_inner(simulated.machine.value(error, of.to_inner(x)));
         let points = visited(setup, f, swept()).map_or(Vec::new(), |range| marks(range, of));
         let points = points.into_iter().map(|x| (x, value(x))).collect();
-        let coordinate = format!("{}_{of}", axis.name.to_lowercase());
+        let coordinate = format!("{}_{of}", axis.coordinate);
         Some(TruthFunction { name: setup.function_name(f), unit, coordinate, points })
     };
     let names = setup.derivation.base.iter().map(|b| b.name.clone());

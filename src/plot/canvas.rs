@@ -7,6 +7,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, IntoFont, IntoTextStyle, RGBAColor, RGBColor, ShapeStyle, WHITE};
 
 use super::series::{PlotError, Tone};
+use trunnion_codegen::problems::visible;
 
 /// The drawing library's coordinates are whole numbers: this many to a pixel keep lines smooth.
 const FINE: f64 = 10.0;
@@ -120,7 +121,7 @@ impl Canvas<'_> {
         let turned = if matches!(anchor, Anchor::Upward) { font.transform(FontTransform::Rotate270) } else { font };
         let style = turned.color(&RGBColor(30, 30, 30)).into_text_style(&self.area);
         let style = style.pos(Pos::new(h_pos, VPos::Center));
-        self.area.draw(&Text::new(text.to_owned(), fine(at), style)).map_err(failed)
+        self.area.draw(&Text::new(visible(text).into_owned(), fine(at), style)).map_err(failed)
     }
 }
 

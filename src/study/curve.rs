@@ -103,7 +103,7 @@ pub(super) fn curve(
         name: setup.function_name(function),
         told: seen.told(setup),
         unit,
-        coordinate: along.name.to_lowercase(),
+        coordinate: along.coordinate.clone(),
         coordinate_unit,
         points,
         largest,

@@ -57,11 +57,13 @@ pub struct Alphabet {
     nominals: Vec<Nominal>,
     sweeps: Vec<String>,
     errors: Vec<(String, Quantity)>,
+    /// Other names that stand in the model's equations: of coefficients, of coordinates.
+    others: Vec<String>,
 }
 
 impl Default for Alphabet {
     fn default() -> Self {
-        Self { nominals: vec![Nominal::Pi, Nominal::Root2], sweeps: Vec::new(), errors: Vec::new() }
+        Self { nominals: vec![Nominal::Pi, Nominal::Root2], sweeps: Vec::new(), errors: Vec::new(), others: Vec::new() }
     }
 }
 
@@ -241,18 +243,35 @@ impl Alphabet {
         })
     }
 
-    /// Whether the model calls a constant, a sweep, a root, an angle, a sense or an error so.
+    /// Keeps a name from whatever is yet to be named.
+    pub fn reserve(&mut self, name: String) {
+        self.others.push(name);
+    }
+
+    /// `wanted`, or the next name like it that is not taken.
+    pub(crate) fn free(&self, wanted: String) -> String {
+        let numbered = (2..).map(|n| format!("{wanted}_{n}"));
+        let mut names = core::iter::once(wanted.clone()).chain(numbered);
+        names.find(|name| !self.has_name(name)).unwrap_or(wanted)
+    }
+
+    /// Whether something in the model's equations is called so.
     pub fn has_name(&self, name: &str) -> bool {
-        let own = |n: &Nominal| match n {
-            Nominal::Root { name: own, .. }
+        let is = |n: &Nominal| match n {
+            Nominal::Wrapped { name: own, .. }
+            | Nominal::Root { name: own, .. }
             | Nominal::Arctangent { name: own, .. }
             | Nominal::Sense { name: own, .. } => own == name,
             _ => false,
         };
-        self.nominals.iter().any(own)
-            || self.find_constant(name).is_some()
-            || self.find_sweep(name).is_some()
+        self.find_sweep(name).is_some() || self.nominals.iter().any(is) || self.has_name_beside_sweeps(name)
+    }
+
+    /// The same of an equation without a sweep.
+    pub fn has_name_beside_sweeps(&self, name: &str) -> bool {
+        self.find_constant(name).is_some()
             || self.find_error(name).is_some()
+            || self.others.iter().any(|other| other == name)
     }
 
     /// True for π, √2 and the set-up's constants: what does not change along a sweep.

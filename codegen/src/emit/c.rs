@@ -1,11 +1,12 @@
 //! C99.
 
 use crate::graph::Constant;
+use crate::source::visible;
 
 use super::function::{Form, Function};
 use super::infix::{Dialect, Infix, WHOLE_TURNS, decimal};
 use super::layout::listed;
-use super::names::{Names, Rules};
+use super::names::{C, Names, Rules, Scope};
 
 /// The floating-point type of a generated function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -20,17 +21,24 @@ pub enum Precision {
 /// A function of one output calls it `out`. C has no empty arrays: an output without elements is left out.
 #[must_use]
 pub fn function(function: &Function, real: Precision) -> String {
-    let names = Names::new(function, &identifier(&function.name), RULES);
-    let writer = Infix { program: &function.program, names: &names, dialect: real };
-    let kind = real.name();
+    let mut file = Scope::new::<&str>(RULES, &[]);
+    let called = file.claim(&function.name);
+    function_in(&file, function, &called, &C99::alone(real))
+}
+
+/// A function that is `called` so in a file with other names.
+pub(super) fn function_in(file: &Scope, function: &Function, called: &str, dialect: &C99) -> String {
+    let names = Names::new(function, called, file);
+    let writer = Infix { program: &function.program, names: &names, dialect };
+    let kind = dialect.real.name();
     let mut text = String::from("/*\n");
     for line in function.documentation(&names.inputs) {
-        text += format!(" * {}", line.replace("*/", "* /").replace("/*", "/ *")).trim_end();
+        text += format!(" * {}", commented(&line)).trim_end();
         text.push('\n');
     }
     text += " */\n";
     let inputs = names.inputs.iter().map(|name| format!("{kind} {name}"));
-    let results = names.outputs.iter().zip(&function.results).filter(|(_, (_, form))| form.len() > 0);
+    let results = names.outputs.iter().zip(function.filled()).filter(|(_, (_, form))| form.len() > 0);
     let results = results.map(|(name, (_, form))| match form {
         Form::Array(n) => format!("{kind} {name}[{n}]"),
         Form::Matrix(rows, columns) => format!("{kind} {name}[{rows}][{columns}]"),
@@ -47,10 +55,10 @@ pub fn function(function: &Function, real: Precision) -> String {
     }
     let unused = names.inputs.iter().zip(function.used()).filter(|(_, used)| !used);
     text.extend(unused.map(|(name, _)| format!("    (void){name};\n")));
-    let places = names.outputs.iter().zip(&function.results).flat_map(|(name, (_, form))| places(name, *form));
+    let places = names.outputs.iter().zip(function.filled()).flat_map(|(name, (_, form))| places(name, *form));
     let outputs = function.program.outputs().iter().zip(&function.elements);
     for (place, (&value, element)) in places.zip(outputs) {
-        let comment = element.replace("*/", "* /").replace("/*", "/ *");
+        let comment = commented(element);
         let end = if place == comment { ";".to_owned() } else { format!("; /* {comment} */") };
         text += &writer.assigned(&format!("    {place}"), &writer.value(value), ["", ""], &end);
     }
@@ -61,26 +69,25 @@ pub fn function(function: &Function, real: Precision) -> String {
 /// What the printed functions call and C has not, if `source` calls it; goes before them once.
 #[must_use]
 pub fn support(source: &str, real: Precision) -> String {
-    let (kind, called) = (real.name(), real.function(WHOLE_TURNS));
+    support_in(source, &C99::alone(real))
+}
+
+pub(super) fn support_in(source: &str, dialect: &C99) -> String {
+    let (real, called) = (dialect.real, &dialect.whole_turns);
     if !source.contains(&format!("{called}(")) {
         return String::new();
     }
-    let (floor, fabs, most) = (real.function("floor"), real.function("fabs"), real.pick("67108864.0", "4096.0f"));
+    let (kind, floor, fabs) = (real.name(), real.function("floor"), real.function("fabs"));
+    let most = real.pick("67108864.0", "4096.0f");
     format!(
         "\n/* The largest whole number not above `turns`; NAN where half the digits of what is left over are lost. */\n\
          static {kind} {called}({kind} turns)\n{{\n    return {fabs}(turns) < {most} ? {floor}(turns) : NAN;\n}}\n"
     )
 }
 
-/// The names of a printed function's inputs.
-pub(super) fn inputs(function: &Function) -> Vec<String> {
-    Names::new(function, &identifier(&function.name), RULES).inputs
-}
-
-/// A name as C allows it.
-pub(super) fn identifier(wanted: &str) -> String {
-    let name = RULES.sanitised(wanted);
-    if RESERVED.contains(&name.as_str()) { name + "_" } else { name }
+/// Text as it may stand in a comment.
+pub(super) fn commented(text: &str) -> String {
+    visible(text).replace("*/", "* /").replace("/*", "/ *")
 }
 
 fn places(name: &str, form: Form) -> Vec<String> {
@@ -103,23 +110,42 @@ impl Precision {
             Precision::Float => float,
         }
     }
+
+    fn function(self, name: &str) -> String {
+        format!("{name}{}", self.pick("", "f"))
+    }
 }
 
-impl Dialect for Precision {
+/// The words of a file.
+pub(super) struct C99 {
+    pub real: Precision,
+    /// What whole turns are called.
+    pub whole_turns: String,
+}
+
+impl C99 {
+    /// Of functions that stand in a file of somebody else's.
+    fn alone(real: Precision) -> Self {
+        Self { real, whole_turns: real.function(WHOLE_TURNS) }
+    }
+}
+
+impl Dialect for &C99 {
     fn constant(&self, constant: &Constant) -> String {
-        let beyond = match self {
+        let real = self.real;
+        let beyond = match real {
             Precision::Double => constant.value().is_infinite(),
             Precision::Float => (constant.value() as f32).is_infinite(),
         };
         if beyond {
-            return self.pick("HUGE_VAL", "HUGE_VALF").to_owned();
+            return real.pick("HUGE_VAL", "HUGE_VALF").to_owned();
         }
         let number = match constant {
             Constant::Rational(r) => decimal(r),
             Constant::Pi => "3.14159265358979323846".to_owned(),
             Constant::Sqrt2 => "1.41421356237309504880".to_owned(),
         };
-        match self {
+        match real {
             Precision::Double => number,
             Precision::Float if number.contains(" / ") => format!("(float)({number})"),
             Precision::Float => format!("{number}f"),
@@ -127,77 +153,8 @@ impl Dialect for Precision {
     }
 
     fn function(&self, name: &'static str) -> String {
-        match self {
-            Precision::Double => name.to_owned(),
-            Precision::Float => format!("{name}f"),
-        }
+        if name == WHOLE_TURNS { self.whole_turns.clone() } else { self.real.function(name) }
     }
 }
 
-const RULES: Rules = Rules { lower_case: false, places: true, reserved: RESERVED };
-
-/// Keywords, the functions that are called, and the math library's short names that compilers warn about.
-const RESERVED: &[&str] = &[
-    "auto",
-    "break",
-    "case",
-    "char",
-    "const",
-    "continue",
-    "default",
-    "do",
-    "double",
-    "else",
-    "enum",
-    "extern",
-    "float",
-    "for",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "register",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "struct",
-    "switch",
-    "typedef",
-    "union",
-    "unsigned",
-    "void",
-    "volatile",
-    "while",
-    "asm",
-    "sin",
-    "cos",
-    "sqrt",
-    "atan2",
-    "floor",
-    "floorf",
-    "fabs",
-    "fabsf",
-    "whole_turns",
-    "whole_turnsf",
-    "sinf",
-    "cosf",
-    "sqrtf",
-    "atan2f",
-    "main",
-    "errno",
-    "gamma",
-    "j0",
-    "j1",
-    "jn",
-    "y0",
-    "y1",
-    "yn",
-    "HUGE_VAL",
-    "HUGE_VALF",
-    "INFINITY",
-    "NAN",
-];
+pub(super) const RULES: Rules = Rules { lower_case: false, places: true, words: &C };

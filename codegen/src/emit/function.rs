@@ -2,6 +2,7 @@
 
 use super::layout::{WIDTH, wrapped};
 use crate::graph::{Graph, Id, Operations, Program, Symbol, Unbound, Value};
+use crate::source::visible;
 
 /// Something a function takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -112,7 +113,7 @@ impl Function {
         let symbols: Vec<Symbol> = inputs.iter().map(|input| input.symbol).collect();
         Ok(Function {
             name: name.into(),
-            docs: docs.iter().flat_map(|doc| doc.lines()).map(str::to_owned).collect(),
+            docs: docs.iter().flat_map(|doc| doc.lines()).map(|line| visible(line).into_owned()).collect(),
             results: outputs.iter().map(|output| (output.name.clone(), output.form)).collect(),
             elements: elements().map(|(name, _)| name.clone()).collect(),
             program: graph.lower(&symbols, &ids)?,
@@ -130,6 +131,11 @@ impl Function {
     #[must_use]
     pub fn program(&self) -> &Program {
         &self.program
+    }
+
+    /// The first result and those that hold something, for languages in which each function has a type of its own.
+    pub(super) fn filled(&self) -> impl Iterator<Item = &(String, Form)> {
+        self.results.iter().enumerate().filter(|(at, (_, form))| *at == 0 || form.len() > 0).map(|(_, result)| result)
     }
 
     /// Whether a step or an output uses the input at each place.

@@ -36,9 +36,7 @@ pub fn run(model: &Model, derivation: &Derivation, run: RunId) -> Result<Functio
         .iter()
         .map(|(f, p)| (alphabet.error_name(model.functions[*f].error), poly(&mut graph, alphabet, p)))
         .collect();
-    if !known.is_empty() {
-        outputs.push(Output::array("known", &known));
-    }
+    outputs.push(Output::array("known", &known));
     let end = if known.is_empty() { "." } else { ";\nthen the factors of the known functions, mm per mm or rad." };
     let doc = format!(
         "Regressors of the base parameters that run `{}` sees, mm per unit of the parameter{end}",
@@ -143,7 +141,7 @@ fn basis(
     let unit = if axis.kind == AxisKind::Rotary { "rad" } else { "mm" };
     let mut inputs = lengths(model);
     let meaning = format!("coordinate of axis {}, {unit}", axis.name);
-    inputs.push(Input::new(Symbol::Coordinate, &axis.name.to_lowercase(), &meaning));
+    inputs.push(Input::new(Symbol::Coordinate, &axis.coordinate, &meaning));
     let names = base.iter().map(|b| derivation.base[*b].name.as_str());
     let outputs = [Output::array("basis", &names.zip(values).collect::<Vec<_>>())];
     let doc = format!("Basis of the function `{name}`: the sum of these times their base parameters.");

@@ -9,7 +9,7 @@ use super::header::header;
 use super::infix::{Dialect, Infix, WHOLE_TURNS, decimal};
 use super::layout::listed;
 use super::model::functions;
-use super::names::{Names, Rules, Scope};
+use super::names::{Names, PYTHON, Rules, Scope};
 
 /// `import numpy as np`, which the functions of a file need once.
 pub const IMPORTS: &str = "import numpy as np\n";
@@ -24,10 +24,12 @@ const SUPPORT: &str = r#"
 
 def whole_turns(turns):
     """The largest whole number not above `turns`; nan where half the digits of what is left over are lost."""
-    return np.where(np.abs(turns) < 67108864.0, np.floor(turns), np.nan)
+    whole = np.floor(turns)
+    most = 2.0 ** ((np.finfo(whole.dtype).nmant + 1) // 2)
+    return np.where(np.abs(turns) < most, whole, np.nan).astype(whole.dtype)
 "#;
 
-const RULES: Rules = Rules { lower_case: false, places: false, reserved: RESERVED };
+const RULES: Rules = Rules { lower_case: false, places: false, words: &PYTHON };
 
 /// A long expression's.
 const BRACKETS: [&str; 2] = [" (", "\n    )"];
@@ -59,11 +61,11 @@ pub fn model_source(model: &Model, derivation: &Derivation) -> Result<String, Un
 /// `def name(R, a)`. An array or matrix has its own axes before those of the inputs. Several outputs are returned as a tuple.
 #[must_use]
 pub fn function(function: &Function) -> String {
-    function_as(function, &Scope::new(RULES, &[]).claim(&function.name))
+    function_as(function, &Scope::new::<&str>(RULES, &[]).claim(&function.name))
 }
 
 fn function_as(function: &Function, called: &str) -> String {
-    let names = Names::new(function, called, RULES);
+    let names = Names::new(function, called, &Scope::new::<&str>(RULES, &[]));
     let writer = Infix { program: &function.program, names: &names, dialect: NumPy };
     let mut text = format!("def {}({}):\n", names.function, names.inputs.join(", "));
     text += "    \"\"\"";
@@ -84,6 +86,9 @@ fn function_as(function: &Function, called: &str) -> String {
     }
     let shapes: Vec<_> = names.inputs.iter().map(|input| format!("np.shape({input})")).collect();
     text += &listed("    shape = np.broadcast_shapes(", &shapes, ")\n", 8);
+    // Python's own numbers take the kind of the arrays beside them: of float32 becomes float32.
+    let kinds: Vec<_> = names.inputs.iter().cloned().chain(["0.0".to_owned()]).collect();
+    text += &listed("    dtype = np.result_type(", &kinds, ")\n", 8);
     let mut elements = names.outputs.iter();
     let mut results = Vec::new();
     for (name, (_, form)) in names.results.iter().zip(&function.results) {
@@ -93,9 +98,9 @@ fn function_as(function: &Function, called: &str) -> String {
             Form::Matrix(rows, columns) => format!("{rows}, {columns}"),
         };
         text += &listed(&format!("    {name} = ["), &own, "]\n", 8);
-        // An element that is constant takes the inputs' shape too.
-        text +=
-            &format!("    {name} = np.array([np.broadcast_to(k, shape) for k in {name}]).reshape({sizes}, *shape)\n");
+        // An element that is constant takes the inputs' shape and kind too.
+        let start = format!("    {name} = np.array([np.broadcast_to(k, shape) for k in {name}], dtype)");
+        text += &format!("{start}.reshape({sizes}, *shape)\n");
         results.push(name.clone());
     }
     text += &format!("    return {}\n", results.join(", "));
@@ -118,11 +123,3 @@ impl Dialect for NumPy {
         if name == WHOLE_TURNS { name.to_owned() } else { format!("np.{name}") }
     }
 }
-
-/// Keywords, and what a printed module uses itself.
-#[rustfmt::skip]
-const RESERVED: &[&str] = &[
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
-    "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
-    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "np", "shape", "k", "whole_turns",
-];

@@ -101,7 +101,7 @@ impl<'a> Machine<'a> {
         let on_workpiece = usize::from(axis) < model.workpiece.len();
         let moves = |run: &&Run| matches!(run.at.get(axis), Some(Coordinate::Rotary(angle)) if angle.sweep.is_some());
         let own_runs: Vec<&Run> = model.runs.iter().filter(moves).collect();
-        let letter = turning.name.to_lowercase();
+        let letter = turning.coordinate.clone();
         let sweep = own_runs.first().map_or(letter, |run| alphabet.sweep_name(run.sweep).to_owned());
         alphabet.sweep(&sweep)?;
         let bar = model.runs.iter().find_map(|run| match run.reading {

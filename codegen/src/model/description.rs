@@ -91,6 +91,8 @@ pub struct ErrorFunction {
 pub struct Axis {
     /// Its name on the machine: `A`, `Y`, `C2`.
     pub name: String,
+    /// What its coordinate is called in equations, files and functions: `a` of the axis A.
+    pub coordinate: String,
     /// Turning or sliding.
     pub kind: AxisKind,
     /// Exact unit vector of the positive motion, in machine coordinates.

@@ -3,8 +3,8 @@
 use crate::algebra::AlgebraError;
 use crate::basis::NoBasis;
 use crate::expression::{Expected, Meaning};
-use crate::source::Span;
-use core::fmt;
+use crate::source::{Span, visible};
+use core::fmt::{self, Write as _};
 
 /// One problem of a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -111,6 +111,7 @@ pub enum ProblemKind {
 
 impl fmt::Display for ProblemKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let f = &mut Seen(f);
         match self {
             Self::Toml(words) => write!(f, "not TOML: {words}"),
             Self::UnknownKey(key, _) => write!(f, "unknown key `{key}`"),
@@ -130,10 +131,10 @@ impl fmt::Display for ProblemKind {
             Self::NotAConstant(name) => write!(f, "`{name}` is not a constant of this model"),
             Self::FourierOfLength => write!(f, "a Fourier sum needs an angle, this axis is linear"),
             Self::NothingToEstimate(name) => write!(f, "`{name}` has no basis to be estimated in"),
-            Self::Syntax(expected) => fmt::Display::fmt(expected, f),
-            Self::Meaning(meaning) => fmt::Display::fmt(meaning, f),
+            Self::Syntax(expected) => write!(f, "{expected}"),
+            Self::Meaning(meaning) => write!(f, "{meaning}"),
             Self::NotACondition => write!(f, "not a linear homogeneous condition on f"),
-            Self::NoBasis(why) => fmt::Display::fmt(why, f),
+            Self::NoBasis(why) => write!(f, "{why}"),
             Self::NotARange => write!(f, "not a range"),
             Self::NotALimit(name) => write!(f, "`{name}` is not the limit of an error or a length of this machine"),
             Self::NotALength(name) => write!(f, "`{name}` is not the usual length of a constant"),
@@ -166,12 +167,21 @@ impl fmt::Display for ProblemKind {
                 write!(f, "run {run} sees {error} with the factor {factor}, and nothing is assumed of it")
             }
             Self::UnknownParameter(name) => write!(f, "`{name}` is not a parameter that the runs see"),
-            Self::Derivation(e) => fmt::Display::fmt(e, f),
+            Self::Derivation(e) => write!(f, "{e}"),
         }
     }
 }
 
 impl core::error::Error for ProblemKind {}
+
+/// Writes with what was quoted from the description made visible.
+struct Seen<'a, 'b>(&'a mut fmt::Formatter<'b>);
+
+impl fmt::Write for Seen<'_, '_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0.write_str(&visible(text))
+    }
+}
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,6 +1,7 @@
 //! Problems as messages: the line, a pointer, what would have been right.
 
 use crate::model::Problem;
+use crate::source::{in_place, visible};
 use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
 
 /// Whether a message may use a terminal's colours.
@@ -16,13 +17,14 @@ pub enum Colour {
 pub fn render(path: &str, source: &str, problems: &[Problem], colour: Colour) -> String {
     let mut sorted: Vec<&Problem> = problems.iter().collect();
     sorted.sort_by_key(|p| p.span.start);
+    let (path, source) = (&*visible(path), &*in_place(source));
     let messages: Vec<String> = sorted.into_iter().map(|p| message(path, source, p, colour)).collect();
     messages.join("\n")
 }
 
 fn message(path: &str, source: &str, problem: &Problem, colour: Colour) -> String {
     let text = problem.kind.to_string();
-    let help = problem.kind.help();
+    let help = problem.kind.help().map(|help| visible(&help).into_owned());
     if problem.span.is_empty() && (problem.span.start == 0 || source.is_empty()) {
         let help = help.map_or_else(String::new, |h| format!("  Help: {h}\n"));
         return format!("Error: {path}: {text}\n{help}");

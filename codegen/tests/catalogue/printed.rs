@@ -87,8 +87,8 @@ fn literals(values: &[f64]) -> String {
 #[test]
 fn c99_of_whole_models() {
     for (name, model, derivation) in models() {
-        let mut source =
-            c99::sources(&model, &derivation, c::Precision::Double).unwrap().single() + "\n#include <stdio.h>\n";
+        let sources = c99::sources(&model, &derivation, c::Precision::Double).unwrap();
+        let mut source = sources.single() + "\n#include <stdio.h>\n";
         source += "static void show(const double *o, int n)\n{\n    int i;\n";
         source += "    for (i = 0; i < n; i++) printf(\"%.17g \", o[i]);\n}\n";
         source += "int main(void)\n{\n    int i;\n    double o[200];\n    double k[200];\n    (void)k;\n";
@@ -102,7 +102,8 @@ fn c99_of_whole_models() {
             let constants: String = model.alphabet.constants().map(|c| format!("{:?}, ", millimetres(c))).collect();
             let known = if run.known.is_empty() { "" } else { ", k" };
             writeln!(source, "        for (i = 0; i < {SAMPLES}; i++) {{").unwrap();
-            writeln!(source, "            row_of_{}({constants}{places}o{known});", item(&run.name)).unwrap();
+            writeln!(source, "            {}_row_of_{}({constants}{places}o{known});", sources.prefix, item(&run.name))
+                .unwrap();
             writeln!(source, "            show(o, {}); show(k, {});", run.regressors.len(), run.known.len()).unwrap();
             source += "            printf(\"\\n\");\n        }\n    }\n";
         }
@@ -142,9 +143,8 @@ fn numpy_of_whole_models() {
             let places: Vec<String> =
                 inputs(&model, i).iter().map(|values| format!("np.array([{}])", literals(values))).collect();
             let call = format!("{}({constants}{})", item(&run.name), places.join(", "));
-            let star = if run.known.is_empty() { "" } else { "*" };
             writeln!(source, "assert all(0 <= at < len(NAMES) for at in {})", item(&run.name).to_uppercase()).unwrap();
-            writeln!(source, "show({star}{call})").unwrap();
+            writeln!(source, "assert isinstance({call}, tuple)\nshow(*{call})").unwrap();
         }
         let file = folder().join(format!("{name}.py"));
         std::fs::write(&file, source).unwrap();

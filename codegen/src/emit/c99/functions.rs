@@ -1,7 +1,7 @@
 //! The model's own functions: a push for each run, a value for each estimated function.
 
+use super::file::File;
 use super::{c, model};
-use crate::emit::c::Precision;
 use crate::emit::function::Function;
 use crate::emit::layout::{listed, prose};
 use crate::emit::model::EstimatedFunction;
@@ -17,43 +17,26 @@ pub(super) struct Printed {
     pub definitions: String,
 }
 
-/// Names that no two parameters and variables of a function share.
-struct Locals(Vec<String>);
-
-impl Locals {
-    fn name(&mut self, wanted: &str) -> String {
-        let mut name = c::identifier(wanted);
-        while self.0.contains(&name) {
-            name.push('_');
-        }
-        self.0.push(name.clone());
-        name
-    }
-}
-
-pub(super) fn functions(
-    model: &Model,
-    derivation: &Derivation,
-    real: Precision,
-    prefix: &str,
-) -> Result<Printed, Unbound> {
+pub(super) fn functions(model: &Model, derivation: &Derivation, file: &mut File) -> Result<Printed, Unbound> {
     let mut printed = Printed::default();
     for (at, run) in derivation.runs.iter_enumerated() {
         if !run.regressors.is_empty() {
             let function = model::run(model, derivation, at)?;
-            push(&mut printed, model, derivation, at, function, real, prefix);
+            push(&mut printed, model, derivation, at, &function, file);
         }
     }
     for function in model::estimated(model, derivation)? {
-        value(&mut printed, function, real, prefix);
+        value(&mut printed, function, file);
     }
     Ok(printed)
 }
 
 /// A function of this file alone.
-fn internal(mut function: Function, name: String, real: Precision) -> String {
-    function.name = name;
-    format!("\n{}", c::function(&function, real).replacen("\nvoid ", "\nstatic void ", 1))
+fn internal(file: &File, function: &Function, called: &str) -> String {
+    format!(
+        "\n{}",
+        c::function_in(&file.scope, function, called, &file.dialect).replacen("\nvoid ", "\nstatic void ", 1)
+    )
 }
 
 fn push(
@@ -61,24 +44,22 @@ fn push(
     model: &Model,
     derivation: &Derivation,
     at: RunId,
-    function: Function,
-    real: Precision,
-    prefix: &str,
+    function: &Function,
+    file: &mut File,
 ) {
     let run = &derivation.runs[at];
-    let kind = real.name();
-    let inputs = c::inputs(&function);
-    let (row, push) = (c::identifier(&format!("row_of_{}", run.name)), c::identifier(&format!("push_{}", run.name)));
-    let mut locals = Locals(inputs.clone());
-    locals.0.extend([row.clone(), "N".to_owned()]);
-    let [fit, reading] = ["fit", "reading"].map(|name| locals.name(name));
+    let (row, push) = (file.claim("row_of", &run.name), file.claim("push", &run.name));
+    let (prefix, upper, kind) = (&file.prefix, file.upper(), file.dialect.real.name());
+    let mut locals = file.scope.clone();
+    let inputs: Vec<String> = function.inputs.iter().map(|input| locals.claim(&input.name)).collect();
+    let [fit, reading] = ["fit", "reading"].map(|name| locals.claim(name));
     let error = |f: FunctionId| model.alphabet.error_name(model.functions[f].error);
-    let known: Vec<String> = run.known.iter().map(|(f, _)| locals.name(error(*f))).collect();
-    let [place, seen, all, factors, i] = ["place", "seen", "row", "factors", "i"].map(|name| locals.name(name));
+    let known: Vec<String> = run.known.iter().map(|(f, _)| locals.claim(error(*f))).collect();
+    let [place, seen, all, factors, i] = ["place", "seen", "row", "factors", "i"].map(|name| locals.claim(name));
 
     let values = inputs.iter().chain([&reading]).chain(&known).map(|name| format!("{kind} {name}"));
     let parameters: Vec<String> = [format!("{prefix}_fit *{fit}")].into_iter().chain(values).collect();
-    let signature = listed(&format!("{prefix}_status {prefix}_{push}("), &parameters, ")", 4);
+    let signature = listed(&format!("{prefix}_status {push}("), &parameters, ")", 4);
     let ways = if model::motion(model, at).is_empty() { "" } else { ", how axes move" };
     let also = if known.is_empty() { "" } else { ", the known functions there (mm or rad)" };
     let told = format!("Takes a sample of run `{}`: lengths (mm), sweep (rad){ways}, reading (mm){also}. */", run.name);
@@ -88,10 +69,10 @@ fn push(
     let places: Vec<String> = run.regressors.iter().map(|(base, _)| base.to_string()).collect();
     let mut arguments = inputs;
     arguments.push(seen.clone());
-    printed.definitions += &internal(function, row.clone(), real);
+    printed.definitions += &internal(file, function, &row);
     printed.definitions += &format!("\n{signature}\n{{\n");
     printed.definitions += &listed(&format!("    static const unsigned short {place}[{n}] = {{"), &places, "};\n", 8);
-    printed.definitions += &format!("    {kind} {seen}[{n}], {all}[N] = {{0}};\n");
+    printed.definitions += &format!("    {kind} {seen}[{n}], {all}[{upper}_UNKNOWNS] = {{0}};\n");
     if !known.is_empty() {
         printed.definitions += &format!("    {kind} {factors}[{}];\n", known.len());
         arguments.push(factors.clone());
@@ -106,23 +87,22 @@ fn push(
     printed.definitions += &format!("    return {prefix}_push({fit}, {all}, {reading}, 1);\n}}\n");
 }
 
-fn value(printed: &mut Printed, estimated: EstimatedFunction, real: Precision, prefix: &str) {
-    let (kind, upper) = (real.name(), prefix.to_uppercase());
+fn value(printed: &mut Printed, estimated: EstimatedFunction, file: &mut File) {
     let places = estimated.base;
     let function = estimated.basis;
-    let inputs = c::inputs(&function);
-    let name = c::identifier(&function.name);
-    let basis = c::identifier(&format!("basis_of_{name}"));
     let n = places.len();
-    let mut locals = Locals(inputs.clone());
-    locals.0.extend([basis.clone(), "N".to_owned()]);
+    let (basis, called) = (file.claim("basis_of", &function.name), file.claim("value_of", &function.name));
+    let (prefix, upper, real) = (&file.prefix, file.upper(), file.dialect.real);
+    let kind = real.name();
+    let mut locals = file.scope.clone();
+    let inputs: Vec<String> = function.inputs.iter().map(|input| locals.claim(&input.name)).collect();
     let [estimate, value, std, place, at, sum, variance, i, j] =
-        ["estimate", "value", "std", "place", "at", "sum", "variance", "i", "j"].map(|name| locals.name(name));
+        ["estimate", "value", "std", "place", "at", "sum", "variance", "i", "j"].map(|name| locals.claim(name));
     let values = inputs.iter().map(|name| format!("{kind} {name}"));
     let first = format!("const {prefix}_estimate *{estimate}");
     let results = [format!("{kind} *{value}"), format!("{kind} *{std}")];
     let parameters: Vec<String> = [first].into_iter().chain(values).chain(results).collect();
-    let signature = listed(&format!("{prefix}_status {prefix}_value_of_{name}("), &parameters, ")", 4);
+    let signature = listed(&format!("{prefix}_status {called}("), &parameters, ")", 4);
     printed.declarations +=
         &format!("\n/* The estimated function at a coordinate, and its standard deviation there. */\n{signature};\n");
     let places: Vec<String> = places.iter().map(ToString::to_string).collect();
@@ -130,7 +110,7 @@ fn value(printed: &mut Printed, estimated: EstimatedFunction, real: Precision, p
     let arguments: Vec<String> = inputs.iter().chain([&at]).cloned().collect();
     let call = listed(&format!("    {basis}("), &arguments, ");", 8);
     let root = real.pick("sqrt", "sqrtf");
-    printed.definitions += &internal(function, basis.clone(), real);
+    printed.definitions += &internal(file, &function, &basis);
     printed.definitions += &format!(
         "
 {signature}
@@ -142,7 +122,7 @@ fn value(printed: &mut Printed, estimated: EstimatedFunction, real: Precision, p
     if (!{estimate} || !{value} || !{std}) {{
         return {upper}_NULL_POINTER;
     }}
-    if ({estimate}->mark != ESTIMATE_MARK) {{
+    if ({estimate}->mark != {upper}_ESTIMATE_MARK) {{
         return {upper}_NOT_INITIALISED;
     }}
 {call}

@@ -3,7 +3,10 @@
 //! The solver is the Rust one in C (`trunnion_solver::lstsq`), for the model's number of unknowns; the tests hold them to
 //! each other.
 
+mod file;
 mod functions;
+
+use file::{File, HEADER, SOURCE};
 
 use super::c::{self, Precision};
 use super::header;
@@ -37,50 +40,39 @@ impl Sources {
 /// # Errors
 /// An expression depends on a symbol that is neither a constant nor the run's sweep.
 pub fn sources(model: &Model, derivation: &Derivation, real: Precision) -> Result<Sources, Unbound> {
-    let prefix = prefix(&model.name);
-    let names: Vec<&str> = derivation.base.iter().map(|base| base.name.as_str()).collect();
-    let printed = functions::functions(model, derivation, real, &prefix)?;
+    let mut file = File::new(&model.name, real);
+    let printed = functions::functions(model, derivation, &mut file)?;
+    let (prefix, upper) = (file.prefix.as_str(), file.upper());
+    let names: Vec<String> = derivation.base.iter().map(|base| literal(&base.name)).collect();
+    let names_line = listed(&format!("const char *const {prefix}_names[{upper}_UNKNOWNS] = {{"), &names, "};", 4);
     let fill = |template: &str| {
-        let literals: Vec<String> = names.iter().map(|name| literal(name)).collect();
-        let names_line = listed(&format!("const char *const {prefix}_names[N] = {{"), &literals, "};", 4);
         // What comes from the model goes in last: it may look like a place.
         template
-            .replace("@prefix@", &prefix)
-            .replace("@PREFIX@", &prefix.to_uppercase())
+            .replace("@prefix@", prefix)
+            .replace("@PREFIX@", &upper)
             .replace("@real@", real.name())
-            .replace("@N@", &literals.len().to_string())
+            .replace("@N@", &names.len().to_string())
             .replace("@EPSILON@", real.pick("DBL_EPSILON", "FLT_EPSILON"))
             .replace("@MIN@", real.pick("DBL_MIN", "FLT_MIN"))
             .replace("@sqrt@", real.pick("sqrt", "sqrtf"))
             .replace("@declarations@", &printed.declarations)
             .replace("@names@", &names_line)
-            .replace("@model@", &model.name.replace("*/", "* /"))
+            .replace("@model@", &c::commented(&model.name))
     };
     let head = header("//", &model.name);
     Ok(Sources {
-        header: head.clone() + &fill(include_str!("solver.h.in")),
+        header: head.clone() + &fill(HEADER),
         source: head
-            + &include_line(&prefix)
-            + &fill(include_str!("solver.c.in"))
-            + &c::support(&printed.definitions, real)
+            + &include_line(prefix)
+            + &fill(SOURCE)
+            + &c::support_in(&printed.definitions, &file.dialect)
             + &printed.definitions,
-        prefix,
+        prefix: file.prefix,
     })
 }
 
 fn include_line(prefix: &str) -> String {
     format!("#include \"{prefix}.h\"\n\n")
-}
-
-/// A model's name as the beginning of C names.
-fn prefix(name: &str) -> String {
-    let plain: String =
-        name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' }).collect();
-    match plain.trim_start_matches('_') {
-        "" => "model".to_owned(),
-        rest if rest.starts_with(|c: char| c.is_ascii_digit()) => format!("model_{rest}"),
-        rest => rest.to_owned(),
-    }
 }
 
 /// A C string literal.

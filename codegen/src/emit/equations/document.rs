@@ -44,8 +44,8 @@ impl<'a> Document<'a> {
         let name = self.model.alphabet.error_name(id);
         let motion = self.model.axis_of(id).is_some();
         match (self.printer.style, name.split_once('_')) {
-            (Style::Latex, Some(("d", rest))) if motion => format!("\\delta_{{{rest}}}"),
-            (Style::Latex, Some(("e", rest))) if motion => format!("\\varepsilon_{{{rest}}}"),
+            (Style::Latex, Some(("d", rest))) if motion => format!("\\delta_{{{}}}", rest.replace('_', "\\_")),
+            (Style::Latex, Some(("e", rest))) if motion => format!("\\varepsilon_{{{}}}", rest.replace('_', "\\_")),
             _ => self.printer.name(name),
         }
     }
@@ -173,6 +173,6 @@ impl<'a> Document<'a> {
     /// The coordinate's letter of an axis error: `a` for the axis A.
     pub fn coordinate(&self, id: FunctionId) -> String {
         let axis = self.model.axis_of(self.model.functions[id].error);
-        axis.and_then(|(id, _)| self.model.axis(id)).map_or_else(|| "x".to_owned(), |axis| axis.name.to_lowercase())
+        axis.and_then(|(id, _)| self.model.axis(id)).map_or_else(|| "x".to_owned(), |axis| axis.coordinate.clone())
     }
 }

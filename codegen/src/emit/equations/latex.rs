@@ -6,25 +6,26 @@ use crate::emit::layout::equation;
 use crate::identify::Derivation;
 use crate::ids::FunctionId;
 use crate::model::Model;
+use crate::source::visible;
 use core::fmt::Write;
 
 /// Readings, model equations, functions and base parameters as LaTeX.
 pub fn latex(model: &Model, derivation: &Derivation) -> String {
     let d = Document::new(model, derivation, Style::Latex);
-    let mut out = format!("% {}: {}\n% lengths in mm, angles in rad\n", model.name, model.title);
+    let mut out = format!("% {}: {}\n% lengths in mm, angles in rad\n", model.name, visible(&model.title));
     for assumption in &model.assumptions {
-        let _ = writeln!(out, "% assumed: {}", assumption.text);
+        let _ = writeln!(out, "% assumed: {}", visible(&assumption.text));
     }
     let mut align = |lines: Vec<String>| {
         let _ = writeln!(out, "\\begin{{align}}\n{}\n\\end{{align}}", lines.join(" \\\\\n"));
     };
     for (i, run) in derivation.runs.iter_enumerated() {
-        let left = format!("{}_{{\\mathrm{{{}}}}}", d.label(i), run.name);
+        let left = format!("{}_{{\\mathrm{{{}}}}}", d.label(i), run.name.replace('_', "\\_"));
         let start = format!("{left} &= ");
         align([d.reading(run), d.equation(run)].map(|right| equation(&start, &right, 2)).into());
     }
     let function = |(i, f): (FunctionId, &crate::model::ErrorFunction)| {
-        let x = d.coordinate(i);
+        let x = d.printer.name(&d.coordinate(i));
         Some(equation(&format!("{}({x}) &= ", d.error(f.error)), &d.function(i, &x)?, 2))
     };
     align(model.functions.iter_enumerated().filter_map(function).collect());

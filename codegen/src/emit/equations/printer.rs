@@ -137,11 +137,17 @@ impl Printer<'_> {
             (Style::Pretty, Nominal::Root2) => "√2".to_owned(),
             (Style::Latex, Nominal::Pi) => "\\pi".to_owned(),
             (Style::Latex, Nominal::Root2) => "\\sqrt{2}".to_owned(),
+            // As a function where it has no letter of its own.
+            (Style::Latex, Nominal::Sin(_) | Nominal::Cos(_)) if plain.ends_with(')') => {
+                let sweep = plain.get(4..plain.len() - 1).unwrap_or_default();
+                format!("\\{}({})", plain.get(..3).unwrap_or_default(), self.name(sweep))
+            }
             _ => self.name(plain),
         }
     }
 
-    /// A name: `d_yy1` in LaTeX is `d_{yy1}`, `EYY` is `E_{YY}`, `ECC_cos1` is `E_{CC,cos1}`, `k1` is `k_{1}`.
+    /// A name: `d_yy1` in LaTeX is `d_{yy1}`, `EYY` is `E_{YY}`, `ECC_cos1` is `E_{CC,cos1}`, `k1` is `k_{1}`. A name that another
+    /// could be taken for stands upright as it is: `k_1`, `E_YY`, `length`.
     pub fn name(&self, name: &str) -> String {
         if self.style != Style::Latex {
             return name.to_owned();
@@ -149,13 +155,26 @@ impl Printer<'_> {
         let is_iso = |n: &str| {
             n.len() > 2 && n.starts_with('E') && n.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit())
         };
-        let (head, tail) = match name.split_once('_') {
-            Some((iso, tail)) if is_iso(iso) => return format!("E_{{{},{tail}}}", &iso[1..]),
-            Some((head, tail)) => (head, tail),
-            None if is_iso(name) => name.split_at(1),
-            None => name.split_at(name.find(|c: char| c.is_ascii_digit()).filter(|i| *i > 0).unwrap_or(name.len())),
+        let escaped = |text: &str| text.replace('_', "\\_");
+        if let Some((iso, tail)) = name.split_once('_').filter(|(iso, _)| is_iso(iso)) {
+            return format!("E_{{{},{}}}", &iso[1..], escaped(tail));
+        }
+        let digits = || name.find(|c: char| c.is_ascii_digit()).unwrap_or(name.len());
+        let (head, tail, alike) = match name.split_once('_') {
+            Some((head, tail)) => {
+                let joined = format!("{head}{tail}");
+                (head, tail, tail.is_empty() || tail.starts_with(|c: char| c.is_ascii_digit()) || is_iso(&joined))
+            }
+            None => {
+                let (head, tail) = name.split_at(if is_iso(name) { 1 } else { digits() });
+                (head, tail, false)
+            }
         };
-        if tail.is_empty() { head.to_owned() } else { format!("{head}_{{{}}}", tail.replace('_', "\\_")) }
+        match head.len() {
+            1 if !alike && tail.is_empty() => head.to_owned(),
+            1 if !alike => format!("{head}_{{{}}}", escaped(tail)),
+            _ => format!("\\mathrm{{{}}}", escaped(name)),
+        }
     }
 }
 

@@ -8,12 +8,13 @@ use crate::emit::layout::{equation, prose};
 use crate::emit::model::moves;
 use crate::identify::Derivation;
 use crate::model::Model;
+use crate::source::visible;
 use core::fmt::Write;
 
 /// Readings, model equations, functions, base parameters and what cannot be told apart, as text.
 pub fn text(model: &Model, derivation: &Derivation) -> String {
     let d = Document::new(model, derivation, Style::Pretty);
-    let mut out = format!("{}: {}\n", model.name, model.title);
+    let mut out = format!("{}: {}\n", model.name, visible(&model.title));
     let mut sweeps: Vec<_> = model.runs.iter().map(|r| r.sweep).collect();
     sweeps.sort();
     sweeps.dedup();

@@ -44,7 +44,7 @@ fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Optio
     let basis = printed.path(&estimated.name);
     let lengths = printed.own_lengths();
     let input = function.basis.inputs.last()?;
-    let x = Scope::new(LOCAL, &[]).claim(&input.name);
+    let x = Scope::new(LOCAL, &[estimated.name.to_string()]).claim(&input.name);
     let doc = docs(&[
         format!("The function `{name}` and its standard deviation, {unit}, at `{x}`, the {}.", input.meaning),
         String::new(),

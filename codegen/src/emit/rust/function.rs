@@ -7,19 +7,19 @@ use super::expression::Expressions;
 use super::{LOCAL, Support, blank, ident};
 use crate::emit::function::{Form, Function};
 use crate::emit::layout::{WIDTH, wrapped};
-use crate::emit::names::Names;
+use crate::emit::names::{Names, Scope};
 
 /// `pub fn name<T: Real>(r: T, a: T) -> [T; 10]` under the name it has in the scope around it. Several results are
 /// returned as a tuple.
 pub(super) fn item(function: &Function, called: &str, support: &Support) -> TokenStream {
-    let names = Names::new(function, called, LOCAL);
+    let names = Names::new(function, called, &Scope::new::<&str>(LOCAL, &[]));
     let expressions = Expressions::new(&function.program, &names);
     let (name, real) = (ident(&names.function), &support.real);
     let docs = docs(&function.documentation(&names.inputs));
-    let kinds = function.results.iter().map(|(_, form)| kind(*form));
+    let kinds = function.filled().map(|(_, form)| kind(*form));
     let elements: Vec<Ident> = names.outputs.iter().map(|name| ident(name)).collect();
     let mut rest = elements.as_slice();
-    let results = function.results.iter().map(|&(_, form)| {
+    let results = function.filled().map(|&(_, form)| {
         let (own, others) = rest.split_at(form.len());
         rest = others;
         match form {

@@ -26,7 +26,7 @@ pub(super) fn joint(printed: &Printed) -> Estimator {
     let pushes = printed.rows.iter().zip(&printed.derivation.runs).filter(|(_, run)| !run.regressors.is_empty());
     let pushes = pushes.map(|(row, run)| {
         let positions = printed.path(&row.positions);
-        push(printed, row, run, &quote!(self.factor.push(&#module::scattered(&#positions, &row), reading)))
+        push(printed, row, run, &quote!(factor), &positions)
     });
     let merge = merge(printed, &[quote!(factor)]);
     let items = quote! {
@@ -110,13 +110,21 @@ pub(super) fn constructor(printed: &Printed, called: &str, estimator: &Ident, do
     }
 }
 
-/// `push_along_x(c, reading, …)`: what is known is subtracted, then `take` takes `row` and `reading`.
-pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenStream) -> TokenStream {
+/// `push_along_x(c, reading, …)`: what is known is subtracted, then `factor` takes the row, which has `positions` among its
+/// columns, and the reading.
+pub(super) fn push(
+    printed: &Printed,
+    row: &Row,
+    run: &DerivedRun,
+    factor: &TokenStream,
+    positions: &TokenStream,
+) -> TokenStream {
     let module = &printed.support.module;
     let called = ident(&format!("push_{}", row.name));
     let function = printed.path(&row.name);
     let lengths = printed.own_lengths();
-    let mut scope = Scope::new(LOCAL, &["reading", "row", "factors"]);
+    let mut scope = Scope::new(LOCAL, &[row.name.to_string()]);
+    let [reading, values, factors] = ["reading", "row", "factors"].map(|name| ident(&scope.claim(name)));
     let model = printed.model;
     let sweep = scope.claim(model.alphabet.sweep_name(model.runs[row.run].sweep));
     let motion: Vec<String> =
@@ -137,10 +145,10 @@ pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenS
     let place: Vec<Ident> = [&sweep].into_iter().chain(&motion).map(|name| ident(name)).collect();
     let known: Vec<Ident> = known.iter().map(|(name, _)| ident(name)).collect();
     let body = match known.is_empty() {
-        true => quote!(let row = #function(#lengths #(#place),*);),
+        true => quote!(let #values = #function(#lengths #(#place),*);),
         false => quote! {
-            let (row, factors) = #function(#lengths #(#place),*);
-            let reading = #module::without(reading, &factors, &[#(#known),*]);
+            let (#values, #factors) = #function(#lengths #(#place),*);
+            let #reading = #module::without(#reading, &#factors, &[#(#known),*]);
         },
     };
     let many = (place.len() + known.len() > 5).then(|| quote!(#[allow(clippy::too_many_arguments)]));
@@ -150,9 +158,9 @@ pub(super) fn push(printed: &Printed, row: &Row, run: &DerivedRun, take: &TokenS
         /// # Errors
         /// Why the sample is not taken; nothing has changed then.
         #many
-        pub fn #called(&mut self, #(#place: T,)* reading: T, #(#known: T),*) -> Result<(), #module::Rejected> {
+        pub fn #called(&mut self, #(#place: T,)* #reading: T, #(#known: T),*) -> Result<(), #module::Rejected> {
             #body
-            #take
+            self.#factor.push(&#module::scattered(&#positions, &#values), #reading)
         }
     }
 }

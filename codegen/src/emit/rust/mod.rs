@@ -13,7 +13,7 @@ pub use model::model_items;
 pub use printed::Owner;
 pub use source::{model_source, source};
 
-use super::names::Rules;
+use super::names::{RUST, Rules};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -59,16 +59,7 @@ fn ident(name: &str) -> Ident {
 }
 
 /// Names of functions, inputs and variables.
-const LOCAL: Rules = Rules { lower_case: true, places: false, reserved: RESERVED };
+const LOCAL: Rules = Rules { lower_case: true, places: false, words: &RUST };
 
 /// Names of constants.
-const CONSTANT: Rules = Rules { lower_case: false, places: false, reserved: &[] };
-
-/// Keywords of any edition.
-#[rustfmt::skip]
-const RESERVED: &[&str] = &[
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
-    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod",
-    "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super", "trait", "true",
-    "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
-];
+const CONSTANT: Rules = Rules { lower_case: false, places: false, words: &RUST };

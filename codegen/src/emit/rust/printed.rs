@@ -58,7 +58,7 @@ impl<'a> Printed<'a> {
     ) -> Result<Self, Unbound> {
         let mut functions = Scope::new(LOCAL, &["fit", "two_step"]);
         let mut constants = Scope::new(CONSTANT, &["NAMES", "STEPS"]);
-        let mut fields = Scope::new(LOCAL, &[]);
+        let mut fields = Scope::new::<&str>(LOCAL, &[]);
         let row = |at: RunId| {
             let function = run(model, derivation, at)?;
             let plain = CONSTANT.sanitised(&function.name).to_uppercase();

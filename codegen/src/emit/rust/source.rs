@@ -16,7 +16,7 @@ use crate::model::Model;
 #[must_use]
 pub fn source(functions: &[Function], made_from: &str, support: &Support) -> String {
     let (path, blank) = (&support.path, blank(support));
-    let mut scope = Scope::new(LOCAL, &[]);
+    let mut scope = Scope::new::<&str>(LOCAL, &[]);
     let items = functions.iter().map(|f| {
         let item = item(f, &scope.claim(&f.name), support);
         quote!(#blank #item)

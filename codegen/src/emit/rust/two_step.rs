@@ -69,7 +69,7 @@ pub(super) fn two_step(printed: &Printed) -> Option<Estimator> {
         let place = |(b, _): &(BaseId, _)| columns.iter().position(|column| column == b);
         let places = run.regressors.iter().filter_map(place).map(Literal::usize_unsuffixed);
         let places = quote!([#(#places),*]);
-        push(printed, row, run, &quote!(self.#factor.push(&#module::scattered(&#places, &row), reading)))
+        push(printed, row, run, &factor, &places)
     });
     let merge = merge(printed, &[quote!(first), quote!(second)]);
     let told = |is: bool| {

@@ -1,5 +1,6 @@
 //! The axes of either side with their errors.
 
+use super::names::WORDS;
 use super::resolver::Resolver;
 use crate::algebra::{ErrorId, Quantity};
 use crate::iso::{Component, Notation, iso_location, iso_motion, location_error};
@@ -51,6 +52,8 @@ impl Resolver {
         let direction = self.direction(&axis.direction, &axis.name.span, None);
         Some(Axis {
             name: name.clone(),
+            // Once everything else is named.
+            coordinate: String::new(),
             kind: axis.kind,
             // A refused direction has no use: the description is refused with it.
             direction: direction.unwrap_or_default(),
@@ -59,6 +62,15 @@ impl Resolver {
             range: axis.range.map(|range| range.map(|end| quantity(axis.kind).coordinate().to_inner(end))),
             motion: motion.try_into().ok()?,
         })
+    }
+
+    /// The axis with a name for its coordinate that stands for nothing else: its letter, which may be a sweep's, too.
+    pub fn named(&mut self, axis: Axis) -> Axis {
+        let letter = axis.name.to_lowercase();
+        let taken = WORDS.contains(&letter.as_str()) || self.alphabet.has_name_beside_sweeps(&letter);
+        let coordinate = if taken { self.alphabet.free(format!("{letter}_axis")) } else { letter };
+        self.alphabet.reserve(coordinate.clone());
+        Axis { coordinate, ..axis }
     }
 
     /// Makes an error under the model's own name for it, if it has one.

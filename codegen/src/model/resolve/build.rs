@@ -65,10 +65,8 @@ impl Resolver {
             self.problem::<()>(&draft.name.span, ProblemKind::NoRuns);
         }
         for (i, run) in runs.iter().enumerate() {
-            // Generated source names constants and functions after runs, in either case.
-            let same = |other: &str| item(other) == item(&run.name);
-            let errors: Vec<&str> = self.alphabet.errors().map(|(_, name, _)| name).collect();
-            if runs.iter().take(i).any(|r| same(&r.name)) || errors.into_iter().any(same) || same("names") {
+            // Files are named after runs, and some systems tell no case.
+            if runs.iter().take(i).any(|r| item(&r.name) == item(&run.name)) {
                 self.problem::<()>(&run.places[0], ProblemKind::Taken(run.name.clone()));
             }
         }
@@ -79,6 +77,8 @@ impl Resolver {
                 let name = format!("{}{}", self.alphabet.error_name(function.error), described.suffix(term));
                 if self.alphabet.has_name(&name) {
                     self.problem::<()>(&function.place, ProblemKind::Taken(name));
+                } else {
+                    self.alphabet.reserve(name);
                 }
             }
         }
@@ -87,6 +87,7 @@ impl Resolver {
         let lengths = self.lengths(draft);
         let limits = self.limits(draft);
         let instrument = self.instrument(draft);
+        let [workpiece, tool] = [workpiece, tool].map(|side| side.into_iter().map(|axis| self.named(axis)).collect());
         let model = Model {
             name: draft.name.value.clone(),
             title: draft.title.value.clone(),

@@ -52,9 +52,7 @@ impl Resolver {
         if !self.exact(&text.span, off)? {
             return self.problem(&text.span, ProblemKind::NotOnACircle);
         }
-        let wanted = format!("angle_{}", axis.name);
-        let mut names = [wanted.clone()].into_iter().chain((2..).map(|n| format!("{wanted}_{n}")));
-        let name = names.find(|name| !self.alphabet.has_name(name)).unwrap_or(wanted);
+        let name = self.alphabet.free(format!("angle_{}", axis.name));
         let angle = Arctangent { sweep, sin: sin.terms().to_vec(), cos: cos.terms().to_vec() };
         let made = self.alphabet.arctangent(angle, name);
         let poly = Poly::nominal(self.exact(&text.span, made)?);

@@ -4,6 +4,9 @@ use super::resolver::Resolver;
 use crate::model::ProblemKind;
 use crate::source::Text;
 
+/// Words of expressions, coordinates, conditions and assumptions.
+pub(super) const WORDS: &[&str] = &["pi", "sin", "cos", "sqrt", "rest", "f", "at"];
+
 impl Resolver {
     pub fn is_name(&mut self, text: &Text) -> bool {
         let mut chars = text.value.chars();
@@ -22,7 +25,7 @@ impl Resolver {
             self.problem::<()>(&text.span, ProblemKind::NotAName(text.value.clone()));
             return false;
         }
-        let free = !self.alphabet.has_name(name) && !["pi", "sin", "cos", "sqrt", "rest", "f"].contains(&name);
+        let free = !self.alphabet.has_name(name) && !WORDS.contains(&name);
         if !free {
             self.problem::<()>(&text.span, ProblemKind::Taken(text.value.clone()));
         }
@@ -30,7 +33,7 @@ impl Resolver {
     }
 }
 
-/// What a name becomes in generated source, whatever its case.
+/// What a name is among those of files, whatever its case.
 pub(super) fn item(name: &str) -> String {
     name.to_lowercase().replace('-', "_")
 }

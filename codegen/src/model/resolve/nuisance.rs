@@ -119,9 +119,8 @@ impl Resolver {
         }
         let own = sense == Sense::of_sweep(sense.sweep);
         let wanted = format!("dir_{}", if own { self.alphabet.sweep_name(sense.sweep) } else { axis });
-        let mut names = [wanted.clone()].into_iter().chain((2..).map(|n| format!("{wanted}_{n}")));
-        let name = names.find(|name| self.alphabet.find_sense(&sense).is_some() || !self.alphabet.has_name(name));
-        let made = self.alphabet.sense(sense, name.unwrap_or(wanted));
+        let name = self.alphabet.free(wanted);
+        let made = self.alphabet.sense(sense, name);
         Some((self.exact(&text.span, made)?, false))
     }
 

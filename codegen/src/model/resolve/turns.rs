@@ -25,6 +25,9 @@ impl Resolver {
                         continue;
                     }
                     let Some(wrapped) = Turned::new(angle, start).wrapped else { continue };
+                    if self.alphabet.find_wrapped(wrapped).is_some() {
+                        continue;
+                    }
                     let name = self.turn_name(wrapped, axes, runs, functions);
                     let made = self.alphabet.wrapped(wrapped, name);
                     self.exact(&run.places[0], made);
@@ -48,7 +51,7 @@ impl Resolver {
         }
         let from = if start == 0 { String::new() } else { format!("_from{}", 15 * start) };
         let times = if multiple == 1 { String::new() } else { multiple.to_string() };
-        format!("turn_{times}{name}{from}")
+        self.alphabet.free(format!("turn_{times}{name}{from}"))
     }
 
     /// Whether the sweep itself, or another turn of it, stands in a reading.

@@ -1,5 +1,9 @@
 //! Names that a language allows, no two alike in one scope.
 
+mod words;
+
+pub(super) use words::{C, PYTHON, RUST, Words};
+
 use num_traits::One;
 use rustc_hash::FxHashSet;
 
@@ -14,8 +18,8 @@ pub(super) struct Rules {
     pub lower_case: bool,
     /// Results are written to parameters; else each element is a variable.
     pub places: bool,
-    /// Words that are no names.
-    pub reserved: &'static [&'static str],
+    /// What the language, its headers and the printed file itself use.
+    pub words: &'static Words,
 }
 
 impl Rules {
@@ -26,13 +30,20 @@ impl Rules {
             c if self.lower_case => c.to_ascii_lowercase(),
             c => c,
         });
-        let name: String = allowed.collect();
+        // Two underscores in a row are the implementation's in C++, and no snake case in Rust.
+        let name = allowed.fold(String::new(), |name, c| {
+            if c == '_' && name.ends_with('_') { name } else { name + c.encode_utf8(&mut [0; 4]) }
+        });
         // Leading underscores mean "unused" or "reserved" in the languages written here.
         match name.trim_start_matches('_') {
             "" => "x".to_owned(),
             rest if rest.starts_with(|c: char| c.is_ascii_digit()) => format!("x{rest}"),
             rest => rest.to_owned(),
         }
+    }
+
+    pub fn is_word(self, name: &str) -> bool {
+        self.words.contains(name)
     }
 }
 
@@ -45,8 +56,8 @@ pub(super) struct Scope {
 
 impl Scope {
     /// A scope in which `taken` are names already.
-    pub fn new(rules: Rules, taken: &[&str]) -> Self {
-        Self { rules, taken: taken.iter().map(|&name| name.to_owned()).collect() }
+    pub fn new<S: AsRef<str>>(rules: Rules, taken: &[S]) -> Self {
+        Self { rules, taken: taken.iter().map(|name| name.as_ref().to_owned()).collect() }
     }
 
     /// `wanted` as the language allows it, or the next free name like it.
@@ -58,8 +69,8 @@ impl Scope {
     pub fn claim_as(&mut self, plain: &str) -> String {
         let mut name = plain.to_owned();
         let mut number = 2;
-        while self.rules.reserved.contains(&name.as_str()) || self.taken.contains(&name) {
-            name = format!("{plain}_{number}");
+        while self.rules.is_word(&name) || self.taken.contains(&name) {
+            name = format!("{}_{number}", plain.trim_end_matches('_'));
             number += 1;
         }
         self.taken.insert(name.clone());
@@ -81,15 +92,19 @@ pub(super) struct Names {
 
 impl Names {
     /// `called` is the function's own name in the scope around it.
-    pub fn new(function: &Function, called: &str, rules: Rules) -> Self {
+    /// Of a function that is `called` so in the scope `around` it.
+    pub fn new(function: &Function, called: &str, around: &Scope) -> Self {
         let program = &function.program;
-        let mut scope = Scope::new(rules, &[called]);
+        let rules = around.rules;
+        let mut scope = around.clone();
+        scope.taken.insert(called.to_owned());
         let inputs: Vec<_> = function.inputs.iter().map(|input| scope.claim(&input.name)).collect();
         // What is returned keeps its name; temporaries make way.
-        let outputs = match function.results.as_slice() {
+        let filled: Vec<&str> = function.filled().map(|(name, _)| name.as_str()).collect();
+        let outputs = match filled.as_slice() {
             _ if !rules.places => function.elements.iter().map(|element| scope.claim(element)).collect(),
             [_] => vec![scope.claim("out")],
-            several => several.iter().map(|(name, _)| scope.claim(name)).collect(),
+            several => several.iter().map(|name| scope.claim(name)).collect(),
         };
         let constants = program.constants().iter().map(|constant| scope.claim(&constant_name(constant))).collect();
         let mut steps = vec![None; program.steps().len()];
