@@ -3,7 +3,10 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
+use commands::output::{OutputError, say};
+use std::io::{self, Write};
 use std::process::ExitCode;
+use trunnion::data::discard_staged;
 
 /// Derives, fits and embeds the measurement models of multi-axis machine tools.
 #[derive(Debug, Parser)]
@@ -35,7 +38,19 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
+    // Whoever interrupts finds nothing half written.
+    let interrupted = || {
+        discard_staged();
+        std::process::exit(130);
+    };
+    if let Err(e) = ctrlc::set_handler(interrupted) {
+        say(format_args!("note: an interrupt may leave hidden files: {e}"));
+    }
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(told) => return shown(&told),
+    };
+    let done = match arguments.command {
         Command::Demo(c) => c.run(),
         Command::Models(c) => c.run(),
         Command::Derive(c) => c.run(),
@@ -48,8 +63,20 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(refused) => {
-            eprintln!("error: {refused}");
+            say(format_args!("error: {refused}"));
             ExitCode::from(2)
         }
+    }
+}
+
+/// Help, the version, or what is wrong with the arguments.
+fn shown(told: &clap::Error) -> ExitCode {
+    let printed = told.print().and_then(|()| io::stdout().flush());
+    match printed {
+        Err(e) if !told.use_stderr() => {
+            say(format_args!("error: {}", OutputError::from(e)));
+            ExitCode::from(2)
+        }
+        _ => ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2)),
     }
 }
