@@ -43,9 +43,8 @@ fn main() -> ExitCode {
         discard_staged();
         std::process::exit(130);
     };
-    if let Err(e) = ctrlc::set_handler(interrupted) {
-        say(format_args!("note: an interrupt may leave hidden files: {e}"));
-    }
+    // Whoever has it ignore hang-ups wants it to go on; then an interrupt leaves what the next run clears.
+    let _ = ctrlc::try_set_handler(interrupted);
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(told) => return shown(&told),

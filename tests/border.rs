@@ -150,3 +150,13 @@ fn encodings_are_read_or_named() {
         refused(at, arguments, &["f:", "2:", "Latin-1"]);
     }
 }
+
+#[test]
+fn the_parallel_machine_s_files_are_read_as_all_others() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    fs::write(at.join("t.csv"), format!("{TOUCHES}1,2,NaN,0\n1,2,,0\n1,2,3,4\n1;2\n")).unwrap();
+    fs::write(at.join("p.csv"), "x_mm,y_mm,z_mm,i,j,k\n0,0,0,0,0,1\n0,0,0\n0,0,0,0,0,1\n0,0,x,0,0,1\n").unwrap();
+    refused(at, &["exechon", "offset", "t.csv"], &["t.csv:10: ", "t.csv:11: ", "t.csv:13: "]);
+    refused(at, &["exechon", "ik", "p.csv"], &["p.csv:3: ", "p.csv:5: "]);
+}
