@@ -207,43 +207,60 @@ mod unix {
     fn a_killed_command_leaves_no_mixture() {
         let directory = tempfile::tempdir().unwrap();
         let at = directory.path();
-        let demo = ["demo", "--out", "demo"];
-        let started = Instant::now();
-        good(at, &demo);
-        let usual = started.elapsed();
+        let (demo, pictures) = (["demo", "--out", "demo"], ["exechon", "paper", "--pictures", "pictures"]);
+        fn simulate(seed: &str) -> Vec<&str> {
+            [&SIMULATE[..], &["out", "--seed", seed]].concat()
+        }
+        let took = |arguments: &[&str]| {
+            let started = Instant::now();
+            good(at, arguments);
+            started.elapsed()
+        };
+        let (of_demo, of_simulate) = (took(&demo), took(&simulate("0")));
         let mut random = 1u64;
         for turn in 0..50u32 {
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             let part = (random >> 40) as f64 / (1u64 << 24) as f64;
-            let (seed, of_demo) = (turn.to_string(), turn % 5 == 0);
-            let arguments = if of_demo { demo.to_vec() } else { [&SIMULATE[..], &["out", "--seed", &seed]].concat() };
-            let out = if of_demo { "demo" } else { "out" };
+            let seed = turn.to_string();
+            let (out, arguments, usual) = match turn % 10 {
+                0 | 1 => ("demo", demo.to_vec(), of_demo),
+                2 => ("pictures", pictures.to_vec(), of_simulate),
+                _ => ("out", simulate(&seed), of_simulate),
+            };
             let mut child = command(at, &arguments).stdout(Stdio::null()).spawn().unwrap();
-            if turn % 10 == 0 {
-                std::thread::sleep(usual.mul_f64(part));
+            if turn % 2 == 0 {
+                std::thread::sleep(usual.mul_f64(0.6 + 0.4 * part));
             } else {
                 let staged = at.join(format!(".{out}.trunnion"));
-                while child.try_wait().unwrap().is_none() && !staged.exists() {}
+                while child.try_wait().unwrap().is_none() && !staged.exists() {
+                    std::thread::sleep(Duration::from_micros(50));
+                }
                 std::thread::sleep(Duration::from_micros((part * 4000.0) as u64));
             }
             child.kill().unwrap();
             child.wait().unwrap();
-            if at.join(out).exists() {
-                assert_eq!(names(&at.join(out)), whole(&at.join(out)), "turn {turn}");
+            let there = at.join(out);
+            match out {
+                "pictures" => assert!(!there.exists() || names(&there).len() == 4, "turn {turn}"),
+                _ if there.exists() => assert_eq!(names(&there), whole(&there), "turn {turn}"),
+                _ => {}
             }
-            assert!(names(at).iter().all(|name| name.starts_with('.') || ["out", "demo"].contains(&name.as_str())));
+            let sets = ["out", "demo", "pictures"];
+            assert!(names(at).iter().all(|name| name.starts_with('.') || sets.contains(&name.as_str())));
         }
-        good(at, &[&SIMULATE[..], &["out"]].concat());
-        good(at, &demo);
-        assert_eq!(names(at), of(&["out", "demo"]), "the next run clears");
+        [simulate("1"), demo.to_vec(), pictures.to_vec()].iter().for_each(|arguments| drop(good(at, arguments)));
+        assert_eq!(names(at), of(&["out", "demo", "pictures"]), "the next run clears");
     }
 
     #[test]
     fn an_interrupt_leaves_nothing() {
         let directory = tempfile::tempdir().unwrap();
         let at = directory.path();
-        for pause in [0, 100, 300, 700, 1500, 3000] {
-            let mut child = command(at, &[&SIMULATE[..], &["out"]].concat()).spawn().unwrap();
+        // Files that take a while to write.
+        let simulate = ["simulate", "tilting-table-a", "--samples", "20000", "--out", "out"];
+        for pause in [0, 0, 500, 1000, 2000, 4000] {
+            let _ = fs::remove_dir_all(at.join("out"));
+            let mut child = command(at, &simulate).spawn().unwrap();
             while child.try_wait().unwrap().is_none() && !at.join(".out.trunnion").exists() {}
             std::thread::sleep(Duration::from_micros(pause));
             let id = child.id().to_string();
