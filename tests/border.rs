@@ -159,4 +159,15 @@ fn the_parallel_machine_s_files_are_read_as_all_others() {
     fs::write(at.join("p.csv"), "x_mm,y_mm,z_mm,i,j,k\n0,0,0,0,0,1\n0,0,0\n0,0,0,0,0,1\n0,0,x,0,0,1\n").unwrap();
     refused(at, &["exechon", "offset", "t.csv"], &["t.csv:10: ", "t.csv:11: ", "t.csv:13: "]);
     refused(at, &["exechon", "ik", "p.csv"], &["p.csv:3: ", "p.csv:5: "]);
+    let absurd: [(&str, &str, &str, &str); 5] = [
+        ("ring", "x_mm,y_mm,z_mm", "1e200,0,0", "-100000 to 100000"),
+        ("offset", "x_mm,y_mm,z_mm,spindle_deg", "0,0,0,1e9", "-360000 to 360000"),
+        ("ik", "x_mm,y_mm,z_mm,i,j,k", "1e308,0,0,0,0,1", "-100000 to 100000"),
+        ("fk", "l1_mm,l2_mm,l3_mm,a_deg,c_deg", "1e100,1400,1400,-45,0", "-100000 to 100000"),
+        ("fk", "l1_mm,l2_mm,l3_mm,a_deg,c_deg", "1400,1400,1400,-45,1e300", "-360000 to 360000"),
+    ];
+    for (command, header, line, range) in absurd {
+        fs::write(at.join("f.csv"), format!("{header}\n{line}\n")).unwrap();
+        refused(at, &["exechon", command, "f.csv"], &["f.csv:2: \"1e", range]);
+    }
 }

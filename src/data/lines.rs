@@ -1,5 +1,6 @@
 //! From a file to its lines of numbers, in mm and rad, one at a time.
 
+use std::f64::consts::TAU;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -7,9 +8,14 @@ use std::path::{Path, PathBuf};
 use super::columns::{Column, Wanted, listed, resolve};
 use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Separator};
 use super::records::{Record, Records};
+use trunnion_codegen::quantity::Unit;
 
 /// Lines before the last one that must agree in their number of decimals before a shorter last one counts as cut.
 const STEADY: usize = 10;
+
+/// No length of a machine, in mm, and no angle of a measurement, in rad, are as large as these: a hundred metres, a thousand turns.
+const LONGEST: f64 = 1e5;
+const FARTHEST: f64 = 1e3 * TAU;
 
 /// A line of numbers.
 pub(crate) struct Line {
@@ -133,16 +139,30 @@ fn numbers(columns: &[Column], fields: &[&str], expected: usize) -> Result<Vec<f
     let value = |column: &Column| match column {
         Column::Absent(value) => Ok(*value),
         Column::Present { name, unit, at } => {
-            let value = number(name, fields.get(*at).copied().unwrap_or_default())?;
-            Ok(unit.map_or(value, |unit| unit.to_inner(value)))
+            let text = fields.get(*at).copied().unwrap_or_default();
+            let value = number(name, text)?;
+            let Some(unit) = unit else { return Ok(value) };
+            let most = match unit {
+                Unit::Um | Unit::Mm => LONGEST,
+                Unit::Deg | Unit::Rad | Unit::Urad => FARTHEST,
+            };
+            let inner = unit.to_inner(value);
+            let problem =
+                || FieldProblem::Absurd { column: name.clone(), text: shown(text), most: unit.from_inner(most) };
+            if inner.abs() <= most { Ok(inner) } else { Err(problem()) }
         }
     };
     columns.iter().map(value).collect()
 }
 
+/// A field, or its beginning.
+fn shown(text: &str) -> String {
+    text.chars().take(24).collect()
+}
+
 fn number(column: &str, text: &str) -> Result<f64, FieldProblem> {
     let name = || column.to_owned();
-    let shown = || text.chars().take(24).collect::<String>();
+    let shown = || shown(text);
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(FieldProblem::NotFinite { column: name(), text: shown() }),
