@@ -3,8 +3,11 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
+use commands::output::{OutputError, say};
 use commands::seen;
+use std::io::{self, Write};
 use std::process::ExitCode;
+use trunnion::data::discard_staged;
 
 /// Derives, fits and embeds the measurement models of multi-axis machine tools.
 #[derive(Debug, Parser)]
@@ -36,14 +39,16 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    // Whoever interrupts finds nothing half written.
+    let interrupted = || {
+        discard_staged();
+        std::process::exit(130);
+    };
+    // Whoever has it ignore hang-ups wants it to go on; then an interrupt leaves what the next run clears.
+    let _ = ctrlc::try_set_handler(interrupted);
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        // In colours, if nothing that is quoted could pass for one.
-        Err(wrong) if !wrong.use_stderr() || std::env::args().all(|given| seen(&given) == given) => wrong.exit(),
-        Err(wrong) => {
-            eprint!("{}", seen(&wrong.to_string()));
-            return ExitCode::from(2);
-        }
+        Err(told) => return shown(&told),
     };
     let done = match arguments.command {
         Command::Demo(c) => c.run(),
@@ -58,8 +63,25 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(refused) => {
-            eprintln!("error: {}", refused.message());
+            say(format_args!("error: {}", refused.message()));
             ExitCode::from(2)
         }
+    }
+}
+
+/// Help, the version, or what is wrong with the arguments.
+fn shown(told: &clap::Error) -> ExitCode {
+    // In colours, if nothing that is quoted could pass for one.
+    if told.use_stderr() && std::env::args().any(|given| seen(&given) != given) {
+        say(format_args!("{}", seen(&told.to_string())));
+        return ExitCode::from(2);
+    }
+    let printed = told.print().and_then(|()| io::stdout().flush());
+    match printed {
+        Err(e) if !told.use_stderr() => {
+            say(format_args!("error: {}", OutputError::from(e)));
+            ExitCode::from(2)
+        }
+        _ => ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2)),
     }
 }

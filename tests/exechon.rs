@@ -146,7 +146,7 @@ fn a_machine_file_is_checked_by_line() {
     refuse(
         "ys2_mm = 450.0",
         "ys2_mm = 1e200",
-        "line 10: ys2_mm is so large that the machine's lengths are no finite numbers",
+        "line 10: ys2_mm = 1e200 is out of range\n  expected a length in mm from -100000 to 100000",
     );
     refuse("zc_mm = 375.0", "zd_mm = 375.0", "unknown field");
 }

@@ -4,8 +4,8 @@ use super::output::print;
 use super::{Refused, monte_carlo};
 use clap::Args;
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
-use trunnion::data::{Unit, write_atomically, write_simulation};
+use std::path::PathBuf;
+use trunnion::data::{Files, Guard, Unit, simulation_files};
 use trunnion::plot::{Chart, Mark, Panel, Scale, Series, Tone};
 use trunnion::study::{
     ErrorLimits, Estimator, Instrument, Observation, RecoveredFunction, Recovery, Report, Sample, Setup, Simulation,
@@ -27,6 +27,9 @@ pub struct DemoArguments {
     /// Directory for the figures and the simulated measurements.
     #[arg(long, value_name = "DIR", default_value = "trunnion-demo")]
     out: PathBuf,
+    /// Replaces files of their names even if they are none of an earlier demo.
+    #[arg(long)]
+    force: bool,
 }
 
 impl DemoArguments {
@@ -63,14 +66,15 @@ impl DemoArguments {
         let estimators = [Estimator::TwoStep, Estimator::Joint];
         out +=
             &monte_carlo::text(&setup, TRIALS, &monte_carlo::watched(&setup, simulation.draws(TRIALS), &estimators)?);
-        write_simulation(&setup, &simulation, &simulated, &self.out)?;
-        figures(&setup, observations, &reports, &self.out)?;
+        let figures = figures(&setup, observations, &reports)?;
+        let files = simulation_files(&setup, &simulation, &simulated, &self.out, figures)?;
+        files.write(&self.out, &Guard { inputs: Vec::new(), force: self.force })?;
         let _ = write!(
             out,
             "\nwritten to {}: fig3.svg, fig4.svg, tilting.csv, separation.csv, table.csv, truth.json\n",
             self.out.display()
         );
-        print(&out)
+        Ok(print(&out)?)
     }
 }
 
@@ -107,12 +111,7 @@ fn recovered(reports: &[(Report, Recovery)]) -> String {
 }
 
 /// Fig. 3, the readings, and Fig. 4, the estimate against the truth.
-fn figures(
-    setup: &Setup,
-    observations: &[Observation],
-    reports: &[(Report, Recovery)],
-    out: &Path,
-) -> Result<(), Refused> {
+fn figures(setup: &Setup, observations: &[Observation], reports: &[(Report, Recovery)]) -> Result<Files, Refused> {
     let line = |name: &str, tone, points| Series { name: name.to_owned(), tone, mark: Mark::Line(points) };
     let tones = [Tone::Blue, Tone::Vermilion, Tone::Green, Tone::Purple];
     let runs = observations.iter().zip(tones).enumerate().map(|(i, (o, tone))| {
@@ -125,7 +124,8 @@ fn figures(
         x: Scale::new("a", Unit::Deg),
         panels: vec![Panel { y: Scale::new("ΔR", Unit::Um), series: runs.collect() }],
     };
-    write_atomically(&out.join("fig3.svg"), readings.svg()?.as_bytes())?;
+    let mut files = Files::default();
+    files.add("fig3.svg", readings.svg()?);
     let mut curves = reports.iter().filter_map(|(report, recovery)| {
         Some((report.estimator, report.functions.first()?, &recovery.functions.first()?.truth))
     });
@@ -158,6 +158,6 @@ fn figures(
         x: Scale::new("a", curve.coordinate_unit),
         panels: vec![estimated, Panel { y: Scale::new("estimate − truth", curve.unit), series: errors.collect() }],
     };
-    write_atomically(&out.join("fig4.svg"), chart.svg()?.as_bytes())?;
-    Ok(())
+    files.add("fig4.svg", chart.svg()?);
+    Ok(files)
 }

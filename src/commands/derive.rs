@@ -4,7 +4,7 @@ use super::Refused;
 use super::model::{load, setup};
 use super::output::print;
 use super::predicted::{Measuring, prediction};
-use clap::{Args, ValueEnum};
+use clap::{ArgGroup, Args, ValueEnum};
 use trunnion::data::Radius;
 use trunnion::study::SetupError;
 use trunnion_codegen::emit::c::Precision;
@@ -14,6 +14,7 @@ use trunnion_codegen::problems::derivation;
 
 /// Arguments of `derive`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("predicted").args(["samples", "noise_um", "estimator"]).multiple(true).requires("radius"))]
 pub struct DeriveArguments {
     /// A name from the catalogue, or a model file.
     model: String,
@@ -27,13 +28,13 @@ pub struct DeriveArguments {
     #[arg(long = "set", value_name = "NAME=MM", requires = "radius")]
     lengths: Vec<String>,
     /// Range of the sweeps, degrees.
-    #[arg(long, value_name = "A:B", default_value = "0:360", value_parser = super::predicted::range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A:B", default_value = "0:360", requires = "radius", value_parser = super::predicted::range, allow_hyphen_values = true)]
     range_deg: (f64, f64),
     #[command(flatten)]
     measuring: Measuring,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Emit {
     /// Equations for reading.
     Text,
@@ -52,6 +53,10 @@ enum Emit {
 impl DeriveArguments {
     /// Derives and prints.
     pub fn run(self) -> Result<(), Refused> {
+        if let Some(radius) = self.radius.filter(|_| self.emit != Emit::Text) {
+            let told = "of no use here\n  expected it with --emit text, or not at all";
+            return Err(Refused::Option("radius", radius.to_string(), told));
+        }
         let description = load(&self.model)?;
         let derivation = derivation(&description).map_err(SetupError::Description)?;
         let predicted = match (self.radius, self.emit) {
@@ -61,13 +66,13 @@ impl DeriveArguments {
             }
             _ => String::new(),
         };
-        print(&match self.emit {
+        Ok(print(&match self.emit {
             Emit::Text => equations::text(&description, &derivation) + &predicted,
             Emit::Latex => equations::latex(&description, &derivation),
             Emit::Rust => rust::model_source(&description, &derivation, &Support::of_solver())?,
             Emit::C => c99::sources(&description, &derivation, Precision::Double)?.single(),
             Emit::Numpy => numpy::model_source(&description, &derivation)?,
             Emit::Json => format!("{:#}\n", equations::json(&description, &derivation)),
-        })
+        })?)
     }
 }

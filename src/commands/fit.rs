@@ -1,7 +1,7 @@
 //! `trunnion fit`: errors and their uncertainty from measurement files.
 
 use super::model::ModelArguments;
-use super::output::print;
+use super::output::{print, say};
 use super::pair::pair;
 use super::stated::{InstrumentArguments, LimitArguments};
 use super::{Refused, document};
@@ -68,7 +68,7 @@ impl FitArguments {
         let setup = self.model.setup(|model| made(model, &given))?;
         let files = RunFiles::new(&setup, &given)?;
         let weights = self.weights()?;
-        let (limits, instrument) = (self.limits.limits(&setup)?, self.instrument.instrument(&setup.model)?);
+        let (limits, instrument) = (self.limits.limits(&setup), self.instrument.instrument(&setup.model)?);
         let mut observations = files.read(&setup, self.table.as_deref())?;
         weigh(&setup, &mut observations, &weights).map_err(|e| Refused::weight(&e, &self.weights))?;
         let file = |run: &str| {
@@ -78,12 +78,12 @@ impl FitArguments {
         let fitted = fit(&setup, &observations, self.estimator.into()).map_err(|e| e.rename(file))?;
         let report = report(&setup, &observations, &fitted, limits, &instrument, self.table.is_none())?;
         for warning in &report.warnings {
-            eprintln!("warning: {warning}");
+            say(format_args!("warning: {warning}"));
         }
-        print(&match self.json {
+        Ok(print(&match self.json {
             true => format!("{:#}\n", document::report(&report, setup.radius())),
             false => report.to_string(),
-        })
+        })?)
     }
 
     fn files(&self) -> Result<Vec<(&str, &str)>, Refused> {
@@ -92,6 +92,7 @@ impl FitArguments {
             option: "run",
             pair: "NAME=FILE",
             given: given.clone(),
+            range: "",
             example: "tilting=run1.csv",
         };
         self.runs.iter().map(|given| split(given).ok_or_else(|| not(given))).collect()
@@ -118,7 +119,7 @@ fn made(model: &mut Model, given: &[(&str, &str)]) -> Result<(), Refused> {
         return Ok(());
     }
     let names: Vec<&str> = left.iter().map(|run| model.runs[*run].name.as_str()).collect();
-    eprintln!("note: fitted without {}, which no file is given for", names.join(", "));
+    say(format_args!("note: fitted without {}, which no file is given for", names.join(", ")));
     *model = subset(model, &kept).map_err(|e| SetupError::derivation(model, &e))?;
     Ok(())
 }

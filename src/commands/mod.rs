@@ -11,7 +11,8 @@ pub mod simulate;
 
 mod document;
 mod model;
-mod output;
+mod number;
+pub mod output;
 mod pair;
 mod predicted;
 mod refused;

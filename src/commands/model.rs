@@ -1,11 +1,12 @@
 //! The MODEL argument and the lengths of its set-up.
 
 use super::Refused;
+use super::number;
 use super::pair::pair;
 use clap::Args;
-use std::io::IsTerminal;
-use std::path::Path;
-use trunnion::data::Radius;
+use std::io::{ErrorKind, IsTerminal};
+use std::path::{Path, PathBuf};
+use trunnion::data::{Radius, TextError, read_text};
 use trunnion::study::{Setup, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::model::Model;
@@ -17,11 +18,12 @@ pub fn source(name: &str) -> Result<(String, String), Refused> {
         Some(source) => (name.to_owned(), source.to_owned()),
         None => {
             let path = Path::new(name);
-            let source = std::fs::read_to_string(path).map_err(|e| {
+            let source = read_text(path).map_err(|e| {
                 let names = catalogue::MODELS.iter().map(|(n, _)| *n).collect::<Vec<_>>().join(", ");
-                match e.kind() {
-                    std::io::ErrorKind::NotFound => Refused::NoSuchModel(name.to_owned(), names),
-                    kind => Refused::Unreadable(path.to_owned(), kind, names),
+                match e {
+                    TextError::Unreadable(ErrorKind::NotFound) => Refused::NoSuchModel(name.to_owned(), names),
+                    TextError::Unreadable(kind) => Refused::Unreadable(path.to_owned(), kind, names),
+                    other => Refused::Text(path.to_owned(), other),
                 }
             })?;
             (path.display().to_string(), source)
@@ -51,6 +53,11 @@ pub struct ModelArguments {
 }
 
 impl ModelArguments {
+    /// The files that are read.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        vec![PathBuf::from(&self.model)]
+    }
+
     /// The model with its lengths, after a change.
     pub fn setup(&self, change: impl FnOnce(&mut Model) -> Result<(), Refused>) -> Result<Setup, Refused> {
         let radius = self.radius.map(Radius::new).transpose()?;
@@ -78,8 +85,14 @@ pub fn others(model: &Model, given: &[String]) -> Result<Vec<(String, f64)>, Ref
     let bars = bars(model);
     let mut values: Vec<(String, f64)> = Vec::new();
     for given in given {
-        let split = pair(given).and_then(|(name, mm)| Some((name, mm.parse().ok()?)));
-        let not = || Refused::NotAPair { option: "set", pair: "NAME=MM", given: given.clone(), example: "H=80" };
+        let split = pair(given).and_then(|(name, mm)| Some((name, number::position(mm).ok()?)));
+        let not = || Refused::NotAPair {
+            option: "set",
+            pair: "NAME=MM",
+            given: given.clone(),
+            range: " from -100000 to 100000",
+            example: "H=80",
+        };
         let (name, mm) = split.ok_or_else(not)?;
         if bars.iter().any(|bar| bar == name) {
             return Err(Refused::SetBar(given.clone()));

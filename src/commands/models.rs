@@ -25,7 +25,7 @@ impl ModelsArguments {
             Ok(read.map_err(|problems| Refused::Model(render(name, source, &problems, Colour::Off)))?.0)
         };
         let models = catalogue::MODELS.iter().map(read).collect::<Result<Vec<Model>, Refused>>()?;
-        print(&if self.json { object(&models) } else { text(&models) })
+        Ok(print(&if self.json { object(&models) } else { text(&models) })?)
     }
 }
 

@@ -2,11 +2,12 @@
 
 use super::fit::Combine;
 use super::model::ModelArguments;
-use super::output::print;
+use super::number;
+use super::output::{print, say};
 use super::simulated::SimulationArguments;
-use super::stated::InstrumentArguments;
+use super::stated::{INSTRUMENT, InstrumentArguments};
 use super::{Refused, document};
-use clap::Args;
+use clap::{ArgGroup, Args};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::fmt::Write;
@@ -15,14 +16,15 @@ use trunnion_codegen::identify::Extent;
 
 /// Arguments of `monte-carlo`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("measured_with").args(INSTRUMENT).multiple(true).requires("budget"))]
 pub struct MonteCarloArguments {
     #[command(flatten)]
     model: ModelArguments,
     #[command(flatten)]
     simulation: SimulationArguments,
     /// Number of machines.
-    #[arg(long, default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
-    trials: u64,
+    #[arg(long, default_value_t = 2000, value_parser = number::count::<1, 10_000_000>, allow_negative_numbers = true)]
+    trials: u32,
     /// Only this estimator.
     #[arg(long, value_enum)]
     estimator: Option<Combine>,
@@ -40,7 +42,7 @@ impl MonteCarloArguments {
     /// Draws, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
         let (setup, simulation) = self.simulation.simulation(&self.model)?;
-        let draws = simulation.draws(self.trials);
+        let draws = simulation.draws(self.trials.into());
         let asked = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
         let (mut estimators, mut notes) = (Vec::new(), Vec::new());
         for estimator in asked {
@@ -62,18 +64,18 @@ impl MonteCarloArguments {
             }
             estimators.push(estimator);
         }
-        notes.iter().for_each(|note| eprintln!("{note}"));
+        notes.iter().for_each(say);
         if self.budget {
             return self.check(&setup, draws, &estimators);
         }
         let studies = watched(&setup, draws, &estimators)?;
-        print(&match self.json {
+        Ok(print(&match self.json {
             true => {
                 let studies: Vec<_> = studies.iter().map(document::study).collect();
                 format!("{:#}\n", json!({ "model": setup.model.name, "trials": self.trials, "studies": studies }))
             }
-            false => text(&setup, self.trials, &studies),
-        })
+            false => text(&setup, self.trials.into(), &studies),
+        })?)
     }
 
     /// The budget's intervals beside those of drawn measurements.
@@ -111,12 +113,12 @@ impl MonteCarloArguments {
                 objects.push(document::with_told(object, &c.told));
             }
         }
-        print(&match self.json {
+        Ok(print(&match self.json {
             true => {
                 format!("{:#}\n", json!({ "model": setup.model.name, "trials": draws.trials, "budget": objects }))
             }
             false => text,
-        })
+        })?)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Refused;
 use super::fit::Combine;
-use super::stated::not_negative;
+use super::number;
 use clap::Args;
 use std::fmt::Write;
 use trunnion::data::Unit;
@@ -13,10 +13,10 @@ use trunnion::study::{Estimator, Setup, coefficient_unit, coordinate};
 #[derive(Clone, Copy, Debug, Args)]
 pub struct Measuring {
     /// Samples of each run.
-    #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    #[arg(long, default_value_t = 360, value_parser = number::count::<2, 100_000>, allow_negative_numbers = true)]
     pub samples: u32,
     /// Half width of the uniform noise of the readings, µm.
-    #[arg(long, default_value_t = 0.1)]
+    #[arg(long, default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
     pub noise_um: f64,
     /// How the runs are combined.
     #[arg(long, value_enum, default_value_t = Combine::Joint)]
@@ -25,15 +25,14 @@ pub struct Measuring {
 
 impl Measuring {
     /// The runs over a range in degrees.
-    pub fn over(&self, (from, to): (f64, f64)) -> Result<Intended, Refused> {
+    pub fn over(&self, (from, to): (f64, f64)) -> Intended {
         let range = (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to));
-        Ok(Intended { samples: self.samples as usize, range, sigma: self.sigma()? })
+        Intended { samples: self.samples as usize, range, sigma: self.sigma() }
     }
 
     /// Standard deviation of the uniform noise, mm.
-    pub fn sigma(&self) -> Result<f64, Refused> {
-        not_negative("noise-um", self.noise_um)?;
-        Ok(uniform_std(self.noise_um * Unit::Um.factor()))
+    pub fn sigma(&self) -> f64 {
+        uniform_std(self.noise_um * Unit::Um.factor())
     }
 }
 
@@ -47,7 +46,7 @@ pub fn range(text: &str) -> Result<(f64, f64), &'static str> {
 /// What all runs over one range would give, as text.
 pub fn prediction(setup: &Setup, range: (f64, f64), measuring: &Measuring) -> Result<String, Refused> {
     let estimator = Estimator::from(measuring.estimator);
-    let p = predict(setup, measuring.over(range)?, estimator)?;
+    let p = predict(setup, measuring.over(range), estimator)?;
     let lengths = setup.model.alphabet.constants().map(|n| format!("{n} = {} mm", setup.constant(n)));
     let mut out = format!(
         "\nPredicted with {}, {}°…{}°, {} samples a run, noise ±{} µm, {} estimate: condition {:.1}\n",

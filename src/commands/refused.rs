@@ -1,11 +1,12 @@
 //! Why a command was refused: one message, exit code 2.
 
+use super::output::OutputError;
 use super::pair::pair;
 use super::seen::seen;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
-use trunnion::data::{ObservationsError, RadiusError, WriteError};
+use trunnion::data::{ObservationsError, RadiusError, TextError, WriteError};
 use trunnion::plot::PlotError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
@@ -32,16 +33,18 @@ pub enum Refused {
     Study(#[from] StudyError),
     #[error("the derived row is wrong: {0}")]
     Unbound(#[from] Unbound),
-    #[error("standard output: {0}")]
-    Output(io::ErrorKind),
+    #[error(transparent)]
+    Output(#[from] OutputError),
     #[error("no model `{0}` in the catalogue and no such file\n  expected a model file or one of {1}")]
     NoSuchModel(String, String),
     #[error("{file}: {problem}\n  expected a model file or one of {names}", file = .0.display(), problem = .1, names = .2)]
     Unreadable(PathBuf, io::ErrorKind, String),
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    Text(PathBuf, TextError),
     #[error("this model cannot be used\n{0}")]
     Model(String),
-    #[error("--{option} {given}: not {pair}\n  expected for example --{option} {example}")]
-    NotAPair { option: &'static str, pair: &'static str, given: String, example: &'static str },
+    #[error("--{option} {given}: not {pair}{range}\n  expected for example --{option} {example}")]
+    NotAPair { option: &'static str, pair: &'static str, given: String, range: &'static str, example: &'static str },
     #[error("--set {0}: given twice\n  expected each length once")]
     LengthTwice(String),
     #[error("--set {0}: this is the length of the bar\n  expected it as --radius alone")]
@@ -64,7 +67,7 @@ pub enum Refused {
     Within(String, usize),
     #[error("{}", design(.0))]
     Design(#[from] DesignError),
-    #[error("--{0} {1}: cannot be simulated\n  {2}")]
+    #[error("--{0} {1}: {2}")]
     Option(&'static str, String, &'static str),
 }
 

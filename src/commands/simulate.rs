@@ -5,7 +5,7 @@ use super::model::ModelArguments;
 use super::simulated::SimulationArguments;
 use clap::Args;
 use std::path::PathBuf;
-use trunnion::data::write_simulation;
+use trunnion::data::{Files, Guard, simulation_files};
 
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
@@ -17,12 +17,17 @@ pub struct SimulateArguments {
     /// Directory for the files: one CSV per run, the known functions, the truth.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Replaces files of their names even if they were not simulated.
+    #[arg(long)]
+    force: bool,
 }
 
 impl SimulateArguments {
     /// Draws, measures, writes.
     pub fn run(self) -> Result<(), Refused> {
         let (setup, simulation) = self.simulation.simulation(&self.model)?;
-        Ok(write_simulation(&setup, &simulation, &simulation.measure(&setup), &self.out)?)
+        let simulated = simulation.measure(&setup);
+        let files = simulation_files(&setup, &simulation, &simulated, &self.out, Files::default())?;
+        Ok(files.write(&self.out, &Guard { inputs: self.model.inputs(), force: self.force })?)
     }
 }

@@ -2,7 +2,8 @@
 
 use super::Refused;
 use super::model::ModelArguments;
-use super::stated::{LimitArguments, RangeArguments, not_negative};
+use super::number;
+use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
 use trunnion::study::{Setup, Simulation};
 
@@ -13,47 +14,39 @@ pub struct SimulationArguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Samples of each run.
-    #[arg(long, default_value_t = 360)]
-    samples: usize,
+    #[arg(long, default_value_t = 360, value_parser = number::count::<1, 10_000_000>, allow_negative_numbers = true)]
+    samples: u32,
     /// Half width of the uniform noise of the readings, µm.
-    #[arg(long, default_value_t = 0.1)]
+    #[arg(long, default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
     noise_um: f64,
     #[command(flatten)]
     limits: LimitArguments,
     #[command(flatten)]
     ranges: RangeArguments,
     /// First angle of the sweeps, degrees; 0 without it.
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, value_parser = number::angle, allow_negative_numbers = true)]
     from_deg: Option<f64>,
     /// End of the range, degrees; the last sample is one step before it. 360 without it; where an axis has a range, runs then
     /// go as far as it lets them.
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, value_parser = number::angle, allow_negative_numbers = true)]
     to_deg: Option<f64>,
 }
-
-/// Most samples of one run.
-const MOST_SAMPLES: usize = 10_000_000;
 
 impl SimulationArguments {
     /// The model with the ranges of its axes, and what is asked for, where it can be simulated.
     pub fn simulation(&self, model: &ModelArguments) -> Result<(Setup, Simulation), Refused> {
-        not_negative("noise-um", self.noise_um)?;
         let (from, to) = (self.from_deg.unwrap_or(0.0), self.to_deg.unwrap_or(360.0));
-        for (option, value) in [("from-deg", from), ("to-deg", to)] {
-            if !(value.is_finite() && value.abs() <= 3600.0) {
-                return Err(Refused::Option(option, value.to_string(), "expected an angle within ten turns"));
-            }
-        }
         if to <= from {
-            return Err(Refused::Option("to-deg", to.to_string(), "expected an angle beyond --from-deg"));
-        }
-        if !(1..=MOST_SAMPLES).contains(&self.samples) {
-            return Err(Refused::Option("samples", self.samples.to_string(), "expected a number from 1 to 10000000"));
+            return Err(Refused::Option(
+                "to-deg",
+                to.to_string(),
+                "not beyond the range's beginning\n  expected an angle beyond --from-deg",
+            ));
         }
         let setup = model.setup(|model| self.ranges.apply(model))?;
-        let (limits, range_deg) = (self.limits.limits(&setup)?, (from, to));
+        let (limits, range_deg) = (self.limits.limits(&setup), (from, to));
         let &Self { seed, samples, noise_um, .. } = self;
-        let simulation = Simulation { seed, samples, noise_um, limits, range_deg };
+        let simulation = Simulation { seed, samples: samples as usize, noise_um, limits, range_deg };
         if self.from_deg.is_some() || self.to_deg.is_some() {
             setup.model.runs.keys().try_for_each(|run| setup.reaches(run, simulation.range()))?;
         }

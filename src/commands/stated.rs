@@ -1,6 +1,7 @@
 //! What is stated beforehand: limits of errors, ranges of axes, the instrument; options in place of the model file's.
 
 use super::Refused;
+use super::number;
 use super::pair::pair;
 use clap::Args;
 use trunnion::study::{ErrorLimits, Instrument, Setup};
@@ -11,31 +12,28 @@ use trunnion_codegen::quantity::{Quantity, Unit};
 #[derive(Clone, Copy, Debug, Args)]
 pub struct LimitArguments {
     /// Largest length error, µm; without it the model file's, or 30.
-    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "UM", value_parser = number::noise, allow_negative_numbers = true)]
     length_um: Option<f64>,
     /// Largest angle error, µrad; without it the model file's, or 100.
-    #[arg(long, value_name = "URAD", allow_negative_numbers = true)]
+    #[arg(long, value_name = "URAD", value_parser = number::noise, allow_negative_numbers = true)]
     angle_urad: Option<f64>,
 }
 
 impl LimitArguments {
     /// The limits of errors that have no own in the model.
-    pub fn limits(&self, setup: &Setup) -> Result<ErrorLimits, Refused> {
+    pub fn limits(&self, setup: &Setup) -> ErrorLimits {
         self.of(&setup.model)
     }
 
     /// The same for a model that has no lengths yet.
-    pub fn of(&self, model: &Model) -> Result<ErrorLimits, Refused> {
-        let given = |option, value: Option<f64>, unit: Unit| {
-            value.map(|value| not_negative(option, value).map(|()| unit.to_inner(value))).transpose()
-        };
-        let (length, angle) =
-            (given("length-um", self.length_um, Unit::Um)?, given("angle-urad", self.angle_urad, Unit::Urad)?);
+    pub fn of(&self, model: &Model) -> ErrorLimits {
+        let length = self.length_um.map(|um| Unit::Um.to_inner(um));
+        let angle = self.angle_urad.map(|urad| Unit::Urad.to_inner(urad));
         let stated = &model.limits;
-        Ok(ErrorLimits {
+        ErrorLimits {
             length: length.or(stated.length).unwrap_or(ErrorLimits::PAPER.length),
             angle: angle.or(stated.angle).unwrap_or(ErrorLimits::PAPER.angle),
-        })
+        }
     }
 }
 
@@ -61,13 +59,18 @@ impl RangeArguments {
     pub fn apply(&self, model: &mut Model) -> Result<(), Refused> {
         let mut given: Vec<&str> = Vec::new();
         for text in &self.ranges {
-            let number = |t: &str| t.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+            let number = |t: &str| number::position(t).ok();
             let parsed = pair(text).and_then(|(axis, range)| {
                 let (low, high) = range.split_once(':')?;
                 Some((axis, number(low)?, number(high)?)).filter(|(_, low, high)| low < high)
             });
-            let not =
-                Refused::NotAPair { option: "range", pair: "AXIS=A:B", given: text.clone(), example: "A=-30:120" };
+            let not = Refused::NotAPair {
+                option: "range",
+                pair: "AXIS=A:B",
+                given: text.clone(),
+                range: " with A below B, from -100000 to 100000",
+                example: "A=-30:120",
+            };
             let (name, low, high) = parsed.ok_or(not)?;
             let names: Vec<String> = model.axes().map(|a| a.name.clone()).collect();
             let axis = model.workpiece.iter_mut().chain(&mut model.tool).find(|a| a.name == name);
@@ -82,6 +85,17 @@ impl RangeArguments {
     }
 }
 
+/// The options of [`InstrumentArguments`].
+pub const INSTRUMENT: [&str; 7] = [
+    "instrument",
+    "instrument_um",
+    "instrument_noise_um",
+    "instrument_share",
+    "bar_length_um",
+    "temperature_k",
+    "expansion_per_k",
+];
+
 /// The instrument.
 #[derive(Clone, Debug, Args)]
 pub struct InstrumentArguments {
@@ -89,22 +103,22 @@ pub struct InstrumentArguments {
     #[arg(long, value_name = "NAME")]
     instrument: Option<String>,
     /// A reading is wrong by at most this, µm, whatever it is.
-    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "UM", value_parser = number::noise, allow_negative_numbers = true)]
     instrument_um: Option<f64>,
     /// What changes from one reading to the next stays within this, µm: larger residuals are told.
-    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "UM", value_parser = number::noise, allow_negative_numbers = true)]
     instrument_noise_um: Option<f64>,
     /// It is wrong by at most this share of itself besides.
-    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SHARE", value_parser = number::noise, allow_negative_numbers = true)]
     instrument_share: Option<f64>,
     /// The bar's length is wrong by at most this, µm.
-    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "UM", value_parser = number::noise, allow_negative_numbers = true)]
     bar_length_um: Option<f64>,
     /// The bar's temperature is away from that of its calibration by at most this, K.
-    #[arg(long, value_name = "K", allow_negative_numbers = true)]
+    #[arg(long, value_name = "K", value_parser = number::noise, allow_negative_numbers = true)]
     temperature_k: Option<f64>,
     /// The bar's expansion, 1/K.
-    #[arg(long, value_name = "1/K", allow_negative_numbers = true)]
+    #[arg(long, value_name = "1/K", value_parser = number::noise, allow_negative_numbers = true)]
     expansion_per_k: Option<f64>,
 }
 
@@ -120,27 +134,18 @@ impl InstrumentArguments {
             None => model.instrument.clone().unwrap_or_default(),
         };
         let own = [
-            ("instrument-um", self.instrument_um, Unit::Um.factor(), &mut stated.constant),
-            ("instrument-noise-um", self.instrument_noise_um, Unit::Um.factor(), &mut stated.noise),
-            ("instrument-share", self.instrument_share, 1.0, &mut stated.proportional),
-            ("bar-length-um", self.bar_length_um, Unit::Um.factor(), &mut stated.bar_length),
-            ("temperature-k", self.temperature_k, 1.0, &mut stated.temperature),
-            ("expansion-per-k", self.expansion_per_k, 1.0, &mut stated.expansion),
+            (self.instrument_um, Unit::Um.factor(), &mut stated.constant),
+            (self.instrument_noise_um, Unit::Um.factor(), &mut stated.noise),
+            (self.instrument_share, 1.0, &mut stated.proportional),
+            (self.bar_length_um, Unit::Um.factor(), &mut stated.bar_length),
+            (self.temperature_k, 1.0, &mut stated.temperature),
+            (self.expansion_per_k, 1.0, &mut stated.expansion),
         ];
-        for (option, value, factor, place) in own {
+        for (value, factor, place) in own {
             if let Some(value) = value {
-                not_negative(option, value)?;
                 *place = value * factor;
             }
         }
         Ok(Instrument::of(&stated))
-    }
-}
-
-/// Refuses what is no size of a noise or an error.
-pub fn not_negative(option: &'static str, value: f64) -> Result<(), Refused> {
-    match value.is_finite() && (0.0..=1e4).contains(&value) {
-        true => Ok(()),
-        false => Err(Refused::Option(option, value.to_string(), "expected a number from 0 to 10000")),
     }
 }

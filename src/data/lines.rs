@@ -1,5 +1,6 @@
 //! From a file to its lines of numbers, in mm and rad, one at a time.
 
+use std::f64::consts::TAU;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -7,9 +8,14 @@ use std::path::{Path, PathBuf};
 use super::columns::{Column, Wanted, listed, resolve};
 use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Separator};
 use super::records::{Record, Records};
+use trunnion_codegen::quantity::Unit;
 
 /// Lines before the last one that must agree in their number of decimals before a shorter last one counts as cut.
 const STEADY: usize = 10;
+
+/// No length of a machine, in mm, and no angle of a measurement, in rad, are as large as these: a hundred metres, a thousand turns.
+const LONGEST: f64 = 1e5;
+const FARTHEST: f64 = 1e3 * TAU;
 
 /// A line of numbers.
 pub(crate) struct Line {
@@ -19,7 +25,7 @@ pub(crate) struct Line {
     pub values: Vec<f64>,
 }
 
-/// The wanted columns of a file, read in constant memory. A bad line does not end it.
+/// The wanted columns of a file, read in constant memory.
 pub(crate) struct Lines {
     file: PathBuf,
     records: Records,
@@ -29,23 +35,18 @@ pub(crate) struct Lines {
 }
 
 impl Lines {
-    /// Opens a file with a header of these columns, in any order.
+    /// Opens a file with a header of these columns, in any order; `-` is standard input.
     pub fn open(file: &Path, wanted: &[Wanted]) -> Result<Self, FileError> {
-        match File::open(file) {
-            Ok(source) => Self::from_source(file, Box::new(source), wanted),
-            Err(error) => Err(FileError { file: file.to_owned(), problem: unreadable(error.into(), wanted) }),
-        }
-    }
-
-    /// The same from elsewhere; `file` is its name in messages.
-    pub fn from_source(file: &Path, source: Box<dyn Read>, wanted: &[Wanted]) -> Result<Self, FileError> {
-        let mut records = Records::new(source);
-        match header(&mut records, wanted) {
-            Ok((header, columns)) => {
-                Ok(Self { file: file.to_owned(), records, header, columns, decimals: Decimals::default() })
-            }
-            Err(problem) => Err(FileError { file: file.to_owned(), problem: unreadable(problem, wanted) }),
-        }
+        let source = match file.to_str() {
+            Some("-") => Ok(Box::new(io::stdin()) as Box<dyn Read>),
+            _ => File::open(file).map(|file| Box::new(file) as Box<dyn Read>),
+        };
+        let opened = source.map_err(FileProblem::from).and_then(|source| {
+            let mut records = Records::new(source);
+            let (header, columns) = header(&mut records, wanted)?;
+            Ok(Self { file: file.to_owned(), records, header, columns, decimals: Decimals::default() })
+        });
+        opened.map_err(|problem| FileError { file: file.to_owned(), problem: unreadable(problem, wanted) })
     }
 
     /// The column that gives each wanted one.
@@ -59,18 +60,17 @@ impl Lines {
     }
 
     /// All lines at once, or every bad one.
-    pub fn all(mut self) -> Result<Vec<Line>, FileError> {
-        let (mut lines, mut bad) = (Vec::new(), Vec::new());
+    pub fn all(self) -> Result<Vec<Line>, FileError> {
+        self.collect()
+    }
+
+    /// Every bad line from the first one on.
+    fn bad_lines(&mut self, first: LineProblem) -> Result<Vec<LineProblem>, FileError> {
+        let mut bad = vec![first];
         while let Some(line) = self.next_line()? {
-            match line {
-                Ok(line) => lines.push(line),
-                Err(problem) => bad.push(problem),
-            }
+            bad.extend(line.err());
         }
-        match bad.is_empty() {
-            true => Ok(lines),
-            false => Err(FileError { file: self.file, problem: FileProblem::Lines(bad) }),
-        }
+        Ok(bad)
     }
 
     /// The next line, or what is wrong with it; none at the end.
@@ -87,15 +87,18 @@ impl Lines {
 }
 
 impl Iterator for Lines {
+    /// A line; at a bad one, every bad line of the file.
     type Item = Result<Line, FileError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let line = match self.next_line() {
-            Ok(line) => line?,
-            Err(error) => return Some(Err(error)),
-        };
-        let fail = |problem| FileError { file: self.file.clone(), problem: FileProblem::Lines(vec![problem]) };
-        Some(line.map_err(fail))
+        let line = self.next_line().transpose()?.and_then(|line| match line {
+            Ok(line) => Ok(line),
+            Err(first) => {
+                let problem = FileProblem::Lines(self.bad_lines(first)?);
+                Err(FileError { file: self.file.clone(), problem })
+            }
+        });
+        Some(line)
     }
 }
 
@@ -136,16 +139,30 @@ fn numbers(columns: &[Column], fields: &[&str], expected: usize) -> Result<Vec<f
     let value = |column: &Column| match column {
         Column::Absent(value) => Ok(*value),
         Column::Present { name, unit, at } => {
-            let value = number(name, fields.get(*at).copied().unwrap_or_default())?;
-            Ok(unit.map_or(value, |unit| unit.to_inner(value)))
+            let text = fields.get(*at).copied().unwrap_or_default();
+            let value = number(name, text)?;
+            let Some(unit) = unit else { return Ok(value) };
+            let most = match unit {
+                Unit::Um | Unit::Mm => LONGEST,
+                Unit::Deg | Unit::Rad | Unit::Urad => FARTHEST,
+            };
+            let inner = unit.to_inner(value);
+            let problem =
+                || FieldProblem::Absurd { column: name.clone(), text: shown(text), most: unit.from_inner(most) };
+            if inner.abs() <= most { Ok(inner) } else { Err(problem()) }
         }
     };
     columns.iter().map(value).collect()
 }
 
+/// A field, or its beginning.
+fn shown(text: &str) -> String {
+    text.chars().take(24).collect()
+}
+
 fn number(column: &str, text: &str) -> Result<f64, FieldProblem> {
     let name = || column.to_owned();
-    let shown = || text.chars().take(24).collect::<String>();
+    let shown = || shown(text);
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(FieldProblem::NotFinite { column: name(), text: shown() }),

@@ -7,26 +7,29 @@
 //! [`Sweep`] is one run of the ball-bar, [`Table`] the functions known beforehand. Whatever is wrong with a file comes
 //! back as one [`FileError`] with every bad line in it. What cannot be seen: a file cut exactly at the end of a line.
 
-mod atomic;
 mod columns;
 mod error;
 mod lines;
+mod output;
 mod radius;
 mod records;
 mod runs;
 mod simulated;
 mod sweep;
 mod table;
+mod text;
 mod truth;
+mod written;
 
-pub use atomic::{WriteError, WriteProblem, write_atomically};
 pub(crate) use columns::Wanted;
 pub use error::{FieldProblem, FileError, FileProblem, HeaderProblem, LineProblem, Need, Separator};
 pub(crate) use lines::Lines;
+pub use output::{Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture};
 pub use radius::{Radius, RadiusError};
 pub use runs::{ObservationsError, RunFiles, observations};
-pub use simulated::write_simulation;
+pub use simulated::{simulation_files, write_simulation};
 pub use sweep::{Sweep, SweepSample};
 pub use table::{Known, KnownAtSamples, Table, TableValues};
+pub use text::{Encoding, TextError, read_text};
 pub use trunnion_codegen::quantity::{Quantity, Unit};
 pub use truth::{Truth, TruthFunction};

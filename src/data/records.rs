@@ -5,6 +5,7 @@ use std::io::{BufRead, BufReader, Read};
 use csv_core::ReadRecordResult;
 
 use super::error::FileProblem;
+use super::text::Encoding;
 
 /// Bytes read at once.
 const BLOCK: usize = 1 << 16;
@@ -119,9 +120,8 @@ impl Records {
         if self.taken == 1 && self.raw.starts_with("\u{feff}".as_bytes()) {
             self.raw.drain(..3);
         }
-        if str::from_utf8(&self.raw).is_err() {
-            let utf16 = self.taken == 1 && matches!(self.raw.get(..2), Some([0xff, 0xfe] | [0xfe, 0xff]));
-            return Err(FileProblem::NotUtf8 { line: self.taken, utf16 });
+        if let Some(encoding) = Encoding::of(&self.raw) {
+            return Err(FileProblem::NotUtf8 { line: self.taken, encoding });
         }
         Ok(true)
     }

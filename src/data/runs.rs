@@ -39,7 +39,7 @@ pub enum ObservationsError {
     RunMissing(String),
     /// A known function is one of a coordinate that the files do not have.
     #[error(
-        "function {function} depends on axis {axis}, which is not the swept angle; tables over other coordinates are not read yet"
+        "function {function} depends on axis {axis}, which is not the swept angle; tables over other coordinates are not read\n  expected a fit without --table, or a model in which it is assumed or estimated"
     )]
     TableCoordinate {
         /// Its name in a table.

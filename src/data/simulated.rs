@@ -1,20 +1,22 @@
 //! The files of a simulation: `RUN.csv`, `table.csv`, `truth.json`.
 
-use super::atomic::{WriteError, WriteProblem};
+use super::output::{Files, Guard, INDEX, WriteError, WriteProblem};
 use super::runs::known_functions;
 use super::sweep::Sweep;
 use super::table::{Known, Table};
 use super::truth::{Truth, TruthFunction};
 use crate::study::{Observation, Setup, Simulated, Simulation, coordinate, marks, visited};
-use std::fs;
-use std::io;
 use std::path::Path;
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::ids::FunctionId;
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::quantity::Unit;
 
-/// Writes the files of a simulation into a directory, which is made where it is not there.
+/// The file of the known functions.
+const TABLE: &str = "table.csv";
+
+/// Writes the files of a simulation into a directory, all or none; the directory is made where it is not there, and what a
+/// simulation wrote there before is replaced.
 ///
 /// # Errors
 /// [`WriteError`]
@@ -24,29 +26,46 @@ pub fn write_simulation(
     simulated: &Simulated,
     out: &Path,
 ) -> Result<(), WriteError> {
-    fs::create_dir_all(out).map_err(|e| {
-        // What the operating system calls this, "already exists", leads nowhere.
-        let kind = if out.is_file() { io::ErrorKind::NotADirectory } else { e.kind() };
-        WriteError { file: out.to_owned(), problem: WriteProblem::Directory(kind) }
-    })?;
+    simulation_files(setup, simulation, simulated, out, Files::default())?.write(out, &Guard::default())
+}
+
+/// The files of a simulation for a directory, with others beside them; `truth.json` lists them all.
+///
+/// # Errors
+/// [`WriteError`] where a value is not finite, or two files have one name.
+pub fn simulation_files(
+    setup: &Setup,
+    simulation: &Simulation,
+    simulated: &Simulated,
+    out: &Path,
+    others: Files,
+) -> Result<Files, WriteError> {
+    let failed = |name: &str, problem| WriteError { file: out.join(name), problem };
+    let mut files = others;
     let own = setup.model.runs.iter().find(|run| run.name.eq_ignore_ascii_case("table"));
     if let Some(run) = own.filter(|_| known_functions(setup).is_some()) {
-        let file = out.join(format!("{}.csv", run.name));
-        return Err(WriteError { file, problem: WriteProblem::HoldsTheTable });
+        return Err(failed(&format!("{}.csv", run.name), WriteProblem::HoldsTheTable));
     }
     for observation in &simulated.observations {
         let run = &setup.model.runs[observation.run];
+        let name = format!("{}.csv", run.name);
         let samples = observation.samples.iter().map(|s| (s.sweep, s.reading));
-        let sweep = Sweep::new(out.join(format!("{}.csv", run.name)), samples);
-        sweep.write(setup.model.alphabet.sweep_name(run.sweep), Unit::Deg, Unit::Um)?;
+        let sweep = Sweep::new(out.join(&name), samples);
+        let contents = sweep.contents(setup.model.alphabet.sweep_name(run.sweep), Unit::Deg, Unit::Um);
+        let contents = contents.map_err(|problem| failed(&name, problem))?;
+        files.add(name, contents);
     }
-    write_table(setup, simulated, &out.join("table.csv"))?;
-    truth(setup, simulation, simulated).write(&out.join("truth.json"))
+    if let Some(contents) = table(setup, simulated) {
+        files.add(TABLE, contents.map_err(|problem| failed(TABLE, problem))?);
+    }
+    let truth = truth(setup, simulation, simulated).listing(&files);
+    files.add(INDEX, truth.map_err(|problem| failed(INDEX, problem))?);
+    Ok(files)
 }
 
-/// The known functions of all runs, at every value of the sweeps of those that see one.
-fn write_table(setup: &Setup, simulated: &Simulated, file: &Path) -> Result<(), WriteError> {
-    let Some((angle, functions)) = known_functions(setup) else { return Ok(()) };
+/// The known functions of all runs, at every value of the sweeps of those that see one; none where no run does.
+fn table(setup: &Setup, simulated: &Simulated) -> Option<Result<Vec<u8>, WriteProblem>> {
+    let (angle, functions) = known_functions(setup)?;
     let known = functions.iter();
     let known = known.map(|f| Known { name: known_name(&setup.model, *f), quantity: setup.quantity(*f) });
     let known: Vec<Known> = known.collect();
@@ -57,7 +76,7 @@ fn write_table(setup: &Setup, simulated: &Simulated, file: &Path) -> Result<(), 
     sweeps.dedup();
     let value = |f: &FunctionId, sweep| simulated.machine.value(setup.model.functions[*f].error, sweep);
     let line = |sweep: f64| (sweep, functions.iter().map(|f| value(f, sweep)).collect());
-    Table::write(file, angle, &known, sweeps.into_iter().map(line))
+    Some(Table::contents(angle, &known, sweeps.into_iter().map(line)))
 }
 
 fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated) -> Truth {

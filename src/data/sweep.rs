@@ -4,11 +4,12 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use super::atomic::{WriteError, write_columns};
 use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
 use super::lines::Lines;
+use super::output::{WriteError, WriteProblem, write_atomically};
 use super::radius::Radius;
+use super::written::written;
 use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
@@ -123,10 +124,17 @@ impl Sweep {
     /// # Errors
     /// [`WriteError`] where the file cannot be written, a value is not finite, or a unit is not one of those named.
     pub fn write(&self, angle: &str, angle_unit: Unit, length_unit: Unit) -> Result<(), WriteError> {
+        let contents = self.contents(angle, angle_unit, length_unit);
+        let contents = contents.map_err(|problem| WriteError { file: self.file.clone(), problem })?;
+        write_atomically(&self.file, &contents)
+    }
+
+    /// What [`Sweep::write`] writes.
+    pub(super) fn contents(&self, angle: &str, angle_unit: Unit, length_unit: Unit) -> Result<Vec<u8>, WriteProblem> {
         let columns =
             [(Wanted::new(angle, SWEEP), angle_unit), (Wanted::new(READING, deviation(Quantity::Length)), length_unit)];
         let lines = self.samples.iter().map(|sample| vec![sample.angle_rad, sample.reading_mm]);
-        write_columns(&self.file, &columns, lines)
+        written(&columns, lines)
     }
 }
 

@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use super::atomic::{WriteError, write_columns};
 use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
 use super::lines::Lines;
+use super::output::{WriteError, WriteProblem, write_atomically};
 use super::sweep::Sweep;
+use super::written::written;
 use trunnion_codegen::quantity::Quantity;
 
 /// Fewest steps of a table taken as going round.
@@ -175,10 +176,21 @@ impl Table {
         functions: &[Known],
         lines: impl IntoIterator<Item = (f64, Vec<f64>)>,
     ) -> Result<(), WriteError> {
+        let contents = Self::contents(angle, functions, lines);
+        let contents = contents.map_err(|problem| WriteError { file: file.to_owned(), problem })?;
+        write_atomically(file, &contents)
+    }
+
+    /// What [`Table::write`] writes.
+    pub(super) fn contents(
+        angle: &str,
+        functions: &[Known],
+        lines: impl IntoIterator<Item = (f64, Vec<f64>)>,
+    ) -> Result<Vec<u8>, WriteProblem> {
         let wanted = wanted(angle, functions);
         let columns: Vec<_> = wanted.iter().filter_map(|wanted| Some((*wanted, *wanted.units.first()?))).collect();
         let lines = lines.into_iter().map(|(angle, values)| [vec![angle], values].concat());
-        write_columns(file, &columns, lines)
+        written(&columns, lines)
     }
 }
 

@@ -1,11 +1,12 @@
 //! What a simulation put in, beside the files it wrote.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::ser::PrettyFormatter;
 
-use super::atomic::{WriteError, WriteProblem, write_atomically};
+use super::output::{Files, LISTED, WriteError, WriteProblem, digest, write_atomically};
 use trunnion_codegen::quantity::Unit;
 
 /// What a simulation was made of: written as `truth.json`.
@@ -47,13 +48,18 @@ impl Truth {
     /// # Errors
     /// [`WriteProblem::NotFinite`] (line 0, column 0) where a value is not finite: JSON has no such number.
     pub fn to_json(&self) -> Result<String, WriteProblem> {
+        self.listing(&Files::default())
+    }
+
+    /// The same with the files that are written with it, by name and digest, so that they are known again.
+    pub(super) fn listing(&self, files: &Files) -> Result<String, WriteProblem> {
         if !self.numbers().all(f64::is_finite) {
             return Err(WriteProblem::NotFinite { line: 0, column: 0 });
         }
         let mut text = Vec::new();
         let mut serializer = serde_json::Serializer::with_formatter(&mut text, PrettyFormatter::with_indent(b" "));
         let invalid = WriteProblem::Refused(std::io::ErrorKind::InvalidData);
-        self.serialize(&mut serializer).map_err(|_| invalid)?;
+        Listing(self, files).serialize(&mut serializer).map_err(|_| invalid)?;
         text.push(b'\n');
         String::from_utf8(text).map_err(|_| invalid)
     }
@@ -74,20 +80,28 @@ impl Truth {
     }
 }
 
-impl Serialize for Truth {
+/// A truth and the files written with it.
+struct Listing<'a>(&'a Truth, &'a Files);
+
+impl Serialize for Listing<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(truth, files) = self;
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("seed", &self.seed)?;
-        map.serialize_entry("radius_mm", &self.radius_mm)?;
-        map.serialize_entry("samples", &self.samples)?;
-        map.serialize_entry("noise_um", &self.noise_um)?;
-        map.serialize_entry("range_deg", &self.range_deg)?;
-        for TruthFunction { name, unit, coordinate, points } in &self.functions {
+        let files: BTreeMap<&str, String> = files.iter().map(|(name, contents)| (name, digest(contents))).collect();
+        if !files.is_empty() {
+            map.serialize_entry(LISTED, &files)?;
+        }
+        map.serialize_entry("seed", &truth.seed)?;
+        map.serialize_entry("radius_mm", &truth.radius_mm)?;
+        map.serialize_entry("samples", &truth.samples)?;
+        map.serialize_entry("noise_um", &truth.noise_um)?;
+        map.serialize_entry("range_deg", &truth.range_deg)?;
+        for TruthFunction { name, unit, coordinate, points } in &truth.functions {
             let points: Vec<_> =
                 points.iter().map(|(a, value)| Point([(coordinate, *a), (unit.suffix(), *value)])).collect();
             map.serialize_entry(name, &points)?;
         }
-        for (name, value) in &self.constants {
+        for (name, value) in &truth.constants {
             map.serialize_entry(name, value)?;
         }
         map.end()

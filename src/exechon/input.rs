@@ -2,7 +2,6 @@
 
 use super::PointError;
 use crate::data::{FileError, FileProblem, Lines, Need, Unit, Wanted};
-use std::io;
 use std::path::{Path, PathBuf};
 use trunnion_solver::circle::CircleError;
 use trunnion_solver::probe::ProbeError;
@@ -80,10 +79,7 @@ pub(super) struct Rows<const N: usize>(Lines);
 impl<const N: usize> Rows<N> {
     /// Opens a file with these columns, in any order.
     pub fn open(file: &Path, wanted: [Wanted; N]) -> Result<Self, FileError> {
-        Ok(Self(match file.to_str() {
-            Some("-") => Lines::from_source(file, Box::new(io::stdin()), &wanted)?,
-            _ => Lines::open(file, &wanted)?,
-        }))
+        Ok(Self(Lines::open(file, &wanted)?))
     }
 
     /// An error on a line of this file.

@@ -1,7 +1,10 @@
 //! Machine files.
 
+use crate::data::{TextError, read_text};
 use serde::Deserialize;
-use std::{fs, io, path::Path};
+use std::io;
+use std::path::Path;
+use toml::Spanned;
 use trunnion_solver::exechon::{Dimension, Dimensions, Home, Limit, Limits, Machine, MachineError, Range};
 
 /// The built-in machine file, `src/exechon/xt700.toml`.
@@ -12,8 +15,28 @@ pub const BUILT_IN: &str = include_str!("xt700.toml");
 #[non_exhaustive]
 pub enum MachineFileError {
     /// The file cannot be read.
-    #[error("{0}\n  expected a machine file such as src/exechon/xt700.toml")]
-    Unreadable(io::ErrorKind),
+    #[error("{kind}\n  expected a machine file such as src/exechon/xt700.toml")]
+    Unreadable {
+        /// What the operating system says.
+        kind: io::ErrorKind,
+    },
+    /// Not UTF-8 text.
+    #[error(transparent)]
+    Text(TextError),
+    /// A number that no machine has.
+    #[error("line {line}: {key} = {value:?} is out of range\n  expected {what} from -{most} to {most}")]
+    Number {
+        /// Its line.
+        line: usize,
+        /// Its key.
+        key: &'static str,
+        /// The number.
+        value: f64,
+        /// A length in mm or an angle in degrees.
+        what: &'static str,
+        /// The largest, without its sign.
+        most: f64,
+    },
     /// Not TOML, or not these keys.
     #[error("{}: {message}\n  expected the keys of src/exechon/xt700.toml", .line.map_or(String::new(), |line| format!("line {line}")))]
     Format {
@@ -45,61 +68,78 @@ struct File {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct FileDimensions {
-    xu_mm: f64,
-    ys2_mm: f64,
-    xr_mm: f64,
-    yr5_mm: f64,
-    ycp_mm: f64,
-    zc_mm: f64,
-    yt_mm: f64,
-    tz_mm: f64,
+    xu_mm: Spanned<f64>,
+    ys2_mm: Spanned<f64>,
+    xr_mm: Spanned<f64>,
+    yr5_mm: Spanned<f64>,
+    ycp_mm: Spanned<f64>,
+    zc_mm: Spanned<f64>,
+    yt_mm: Spanned<f64>,
+    tz_mm: Spanned<f64>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct FileHome {
-    strut_mm: f64,
-    a_deg: f64,
+    strut_mm: Spanned<f64>,
+    a_deg: Spanned<f64>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct FileLimits {
-    strut_mm: [f64; 2],
-    a_deg: [f64; 2],
-    c_deg: [f64; 2],
+    strut_mm: [Spanned<f64>; 2],
+    a_deg: [Spanned<f64>; 2],
+    c_deg: [Spanned<f64>; 2],
 }
+
+/// The longest length of a machine, mm.
+const LONGEST: f64 = 1e5;
+/// The largest angle of an axis, degrees.
+const TURNED: f64 = 3600.0;
 
 /// Reads a machine file; without one, the built-in.
 ///
 /// # Errors
 /// [`MachineFileError`].
 pub fn read_machine(file: Option<&Path>) -> Result<Machine<f64>, MachineFileError> {
-    match file {
-        None => parse(BUILT_IN),
-        Some(file) => parse(&fs::read_to_string(file).map_err(|e| MachineFileError::Unreadable(e.kind()))?),
-    }
+    let Some(file) = file else { return parse(BUILT_IN) };
+    parse(&read_text(file).map_err(|e| match e {
+        TextError::Unreadable(kind) => MachineFileError::Unreadable { kind },
+        other => MachineFileError::Text(other),
+    })?)
 }
 
 fn parse(text: &str) -> Result<Machine<f64>, MachineFileError> {
-    let File { dimensions: d, home, limits, .. } = toml::from_str(text).map_err(|e| {
-        let line = e.span().map(|span| 1 + text.as_bytes().iter().take(span.start).filter(|b| **b == b'\n').count());
-        MachineFileError::Format { line, message: e.message().to_owned() }
+    let line_at = |at: usize| 1 + text.as_bytes().iter().take(at).filter(|b| **b == b'\n').count();
+    let File { dimensions: d, home, limits, .. } = toml::from_str(text).map_err(|e| MachineFileError::Format {
+        line: e.span().map(|span| line_at(span.start)),
+        message: e.message().to_owned(),
     })?;
-    let range = |[low, high]: [f64; 2]| Range { low, high };
-    let angles = |range: [f64; 2]| Range { low: range[0].to_radians(), high: range[1].to_radians() };
-    let dimensions = Dimensions {
-        xu: d.xu_mm,
-        ys2: d.ys2_mm,
-        xr: d.xr_mm,
-        yr5: d.yr5_mm,
-        ycp: d.ycp_mm,
-        zc: d.zc_mm,
-        yt: d.yt_mm,
-        tz: d.tz_mm,
+    let within = |key, number: &Spanned<f64>, what, most: f64| match *number.get_ref() {
+        value if value.abs() <= most => Ok(value),
+        value => Err(MachineFileError::Number { line: line_at(number.span().start), key, value, what, most }),
     };
-    let home = Home { strut: home.strut_mm, a: home.a_deg.to_radians() };
-    let limits = Limits { struts: range(limits.strut_mm), a: angles(limits.a_deg), c: angles(limits.c_deg) };
+    let mm = |key, number: &Spanned<f64>| within(key, number, "a length in mm", LONGEST);
+    let rad = |key, number: &Spanned<f64>| within(key, number, "an angle in degrees", TURNED).map(f64::to_radians);
+    let lengths = |key, [low, high]: &[Spanned<f64>; 2]| Ok(Range { low: mm(key, low)?, high: mm(key, high)? });
+    let angles = |key, [low, high]: &[Spanned<f64>; 2]| Ok(Range { low: rad(key, low)?, high: rad(key, high)? });
+    let dimensions = Dimensions {
+        xu: mm("xu_mm", &d.xu_mm)?,
+        ys2: mm("ys2_mm", &d.ys2_mm)?,
+        xr: mm("xr_mm", &d.xr_mm)?,
+        yr5: mm("yr5_mm", &d.yr5_mm)?,
+        ycp: mm("ycp_mm", &d.ycp_mm)?,
+        zc: mm("zc_mm", &d.zc_mm)?,
+        yt: mm("yt_mm", &d.yt_mm)?,
+        tz: mm("tz_mm", &d.tz_mm)?,
+    };
+    let home = Home { strut: mm("strut_mm", &home.strut_mm)?, a: rad("a_deg", &home.a_deg)? };
+    let limits = Limits {
+        struts: lengths("strut_mm", &limits.strut_mm)?,
+        a: angles("a_deg", &limits.a_deg)?,
+        c: angles("c_deg", &limits.c_deg)?,
+    };
     Machine::new(dimensions, home, limits)
         .map_err(|problem| MachineFileError::Machine { line: line_of(text, &problem), problem })
 }

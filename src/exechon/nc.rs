@@ -9,10 +9,12 @@ use trunnion_solver::exechon::Machine;
 #[non_exhaustive]
 pub enum NcError {
     /// The ring's compensation cannot be computed.
-    #[error("{0}")]
+    #[error("{0}\n  expected a ring within the workspace, and at least 7 touches")]
     Compensation(#[from] CompensationError),
     /// The ball does not fit into the ring.
-    #[error("the stylus ball and the clearance do not fit into the ring")]
+    #[error(
+        "the stylus ball and the clearance do not fit into the ring\n  expected a smaller ball, less clearance or a larger ring"
+    )]
     NoRoom,
 }
 

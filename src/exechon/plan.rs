@@ -54,7 +54,7 @@ pub struct PlannedTouch {
 #[non_exhaustive]
 pub enum PlanError {
     /// A number that cannot be.
-    #[error("{0} must be {1}")]
+    #[error("{0} is out of range\n  expected {1}")]
     Number(&'static str, &'static str),
     /// The machine does not reach a touch.
     #[error("touch {0}: {1}\n  {remedy}", remedy = .1.remedy())]

@@ -9,6 +9,9 @@ use plotters::style::{Color, FontTransform, IntoFont, IntoTextStyle, RGBAColor, 
 use super::series::{PlotError, Tone};
 use trunnion_codegen::problems::visible;
 
+/// What the first line of each picture has, so that it is known again.
+pub const MADE: &str = "data-made-by=\"trunnion\"";
+
 /// The drawing library's coordinates are whole numbers: this many to a pixel keep lines smooth.
 const FINE: f64 = 10.0;
 
@@ -89,7 +92,7 @@ pub(crate) fn draw(size: (u32, u32), draw: impl FnOnce(&Canvas) -> Drawn) -> Res
         canvas.area.present().map_err(failed)?;
     }
     let large = format!("width=\"{}\" height=\"{}\"", sheet.0, sheet.1);
-    let shown = format!("stroke-linejoin=\"round\" width=\"{}\" height=\"{}\"", size.0, size.1);
+    let shown = format!("{MADE} stroke-linejoin=\"round\" width=\"{}\" height=\"{}\"", size.0, size.1);
     Ok(subscripts(&text.replacen(&large, &shown, 1)))
 }
 

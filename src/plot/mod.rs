@@ -13,6 +13,7 @@ mod series;
 mod sketch;
 mod ticks;
 
+pub use canvas::MADE;
 pub use line::{Chart, Panel};
 pub use map::HeatMap;
 pub use polar::PolarChart;

@@ -8,19 +8,21 @@ use trunnion_codegen::quantity::Unit;
 #[non_exhaustive]
 pub enum PlotError {
     /// A panel without a single point.
-    #[error("panel {panel} has no points")]
+    #[error("panel {panel} has no points\n  expected at least one sample")]
     NoPoints {
         /// The panel, counted from 1.
         panel: usize,
     },
     /// A value that is NaN, infinite, or too large for a range to be finite.
-    #[error("panel {panel} has values that cannot be drawn: not finite, or too large")]
+    #[error(
+        "panel {panel} has values that cannot be drawn: not finite, or too large\n  expected smaller errors or a smaller range"
+    )]
     NotFinite {
         /// The panel, counted from 1.
         panel: usize,
     },
     /// The drawing library refuses.
-    #[error("the picture cannot be drawn")]
+    #[error("the picture cannot be drawn\n  expected fewer points, or no picture")]
     Backend,
 }
 

@@ -2,7 +2,7 @@
 
 use super::ExechonRefused;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use trunnion::exechon::{Coordinates, read_machine};
 use trunnion_solver::exechon::{Machine, Tilted};
 
@@ -15,6 +15,11 @@ pub struct Which {
 }
 
 impl Which {
+    /// The file that is read, if there is one.
+    pub fn inputs(&self) -> impl Iterator<Item = &Path> {
+        self.machine.as_deref().into_iter()
+    }
+
     /// Reads it.
     pub fn read(&self) -> Result<Machine<f64>, ExechonRefused> {
         let name = self.machine.clone().unwrap_or_else(|| "src/exechon/xt700.toml".into());
@@ -61,12 +66,4 @@ impl From<TiltedName> for Tilted {
 /// Degrees, without a negative zero.
 pub fn degrees(angle: f64) -> f64 {
     angle.to_degrees() + 0.0
-}
-
-/// `X,Y,…` as N numbers.
-pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let values: Result<Vec<f64>, _> = text.split(',').map(|field| field.trim().parse::<f64>()).collect();
-    let values = values.ok().filter(|values| values.iter().all(|v| v.is_finite()));
-    let array = values.and_then(|values| <[f64; N]>::try_from(values).ok());
-    array.ok_or_else(|| format!("expected {N} numbers separated by commas, such as {}", ["1.5"; N].join(",")))
 }

@@ -2,7 +2,7 @@
 
 use super::ExechonRefused;
 use super::arguments::{FrameName, TiltedName, Which, degrees};
-use super::spool::{Spool, picture};
+use crate::commands::output::{Picture, Spool};
 use clap::Args;
 use std::path::PathBuf;
 use trunnion::exechon::{inverse, machine_picture};
@@ -21,9 +21,9 @@ pub struct IkArguments {
     /// What drm_deg is counted from where the tool is tilted.
     #[arg(long, value_enum, default_value_t = TiltedName::Projected)]
     tilted: TiltedName,
-    /// Draws the machine in the first pose (SVG).
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
+    /// The machine in the first pose.
+    #[command(flatten)]
+    picture: Picture,
     #[command(flatten)]
     which: Which,
 }
@@ -33,7 +33,7 @@ impl IkArguments {
     pub fn run(self) -> Result<(), ExechonRefused> {
         let machine = self.which.read()?;
         let mut first = None;
-        let mut spool = Spool::new()?;
+        let mut spool = Spool::new();
         spool.line(format_args!("x_mm,y_mm,z_mm,l1_mm,l2_mm,l3_mm,a_deg,c_deg,drm_deg,iterations"))?;
         for solved in inverse(&machine, &self.file, self.frame.into(), self.tilted.into())? {
             let solved = solved?;
@@ -43,8 +43,11 @@ impl IkArguments {
             first.get_or_insert(solved.pose);
         }
         if let Some(pose) = first {
-            picture(self.svg.as_deref(), || Ok(machine_picture(&machine, &pose, "The machine at the first pose")?))?;
+            let inputs = self.which.inputs().chain([self.file.as_path()]);
+            self.picture.draw(inputs, || {
+                Ok::<_, ExechonRefused>(machine_picture(&machine, &pose, "The machine at the first pose")?)
+            })?;
         }
-        spool.show()
+        Ok(spool.show()?)
     }
 }

@@ -9,7 +9,6 @@ mod paper;
 mod plan;
 mod refused;
 mod ring;
-mod spool;
 
 pub use refused::ExechonRefused;
 

@@ -2,7 +2,8 @@
 
 use super::ExechonRefused;
 use super::arguments::Which;
-use super::spool::print;
+use crate::commands::number;
+use crate::commands::output::print;
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
@@ -18,16 +19,16 @@ pub struct OffsetArguments {
     /// rotation.
     file: PathBuf,
     /// The ring's diameter, mm.
-    #[arg(long, value_name = "MM", default_value_t = 40.001)]
+    #[arg(long, value_name = "MM", default_value_t = 40.001, value_parser = number::length, allow_negative_numbers = true)]
     diameter: f64,
     /// The stylus ball's diameter, mm.
-    #[arg(long, value_name = "MM", default_value_t = 6.0)]
+    #[arg(long, value_name = "MM", default_value_t = 6.0, value_parser = number::size, allow_negative_numbers = true)]
     stylus: f64,
     /// The probe's repeatability, two sigma, µm.
-    #[arg(long, value_name = "UM", default_value_t = 0.25)]
+    #[arg(long, value_name = "UM", default_value_t = 0.25, value_parser = number::spread, allow_negative_numbers = true)]
     repeatability: f64,
     /// Accuracy of the ring's diameter, two sigma, µm.
-    #[arg(long, value_name = "UM", default_value_t = 1.0)]
+    #[arg(long, value_name = "UM", default_value_t = 1.0, value_parser = number::noise, allow_negative_numbers = true)]
     accuracy: f64,
     #[command(flatten)]
     which: Which,
@@ -37,13 +38,11 @@ impl OffsetArguments {
     /// Computes and shows.
     pub fn run(self) -> Result<(), ExechonRefused> {
         let gauge = Gauge::new(self.diameter, self.stylus, self.repeatability, self.accuracy);
-        for (name, value) in [("stylus", gauge.radius), ("repeatability", gauge.touch)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(ExechonRefused::Option(
-                    name,
-                    "expected a positive number, and a ball smaller than the ring",
-                ));
-            }
+        if gauge.radius <= 0.0 {
+            return Err(ExechonRefused::Option(
+                "stylus",
+                "as large as the ring\n  expected a ball smaller than --diameter",
+            ));
         }
         let machine = self.which.read()?;
         let OffsetReport { with_rotation, spindle_alone, reversal } = offset_report(&machine, &self.file, &gauge)?;
@@ -68,6 +67,6 @@ impl OffsetArguments {
             "spindle_angle_taken_as_it_is": fit(&spindle_alone),
             "reversal": reversal.map(formulas),
         });
-        print(&format!("{report:#}\n"))
+        Ok(print(&format!("{report:#}\n"))?)
     }
 }

@@ -2,11 +2,11 @@
 
 use super::ExechonRefused;
 use super::arguments::Which;
-use super::spool::print;
+use crate::commands::output::print;
 use clap::Args;
 use std::fmt::Write;
 use std::path::PathBuf;
-use trunnion::data::write_atomically;
+use trunnion::data::{Files, Guard};
 use trunnion::exechon::{
     ALONG, Experiments, PictureError, RING_CENTRES, drm_map, experiments, machine_picture, pose_at, quintic_picture,
     ring_picture,
@@ -19,6 +19,9 @@ pub struct PaperArguments {
     /// Writes the pictures (SVG) into this directory.
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
+    /// Replaces files of their names even if they are no earlier pictures.
+    #[arg(long, requires = "pictures")]
+    force: bool,
     #[command(flatten)]
     which: Which,
 }
@@ -29,11 +32,12 @@ impl PaperArguments {
         let machine = self.which.read()?;
         let all = experiments(&machine)?;
         if let Some(directory) = &self.pictures {
-            for (name, svg) in pictures(&machine, &all)? {
-                write_atomically(&directory.join(name), svg.as_bytes())?;
-            }
+            let mut files = Files::default();
+            pictures(&machine, &all)?.into_iter().for_each(|(name, svg)| files.add(name, svg));
+            let inputs = self.which.inputs().map(ToOwned::to_owned).collect();
+            files.write(directory, &Guard { inputs, force: self.force })?;
         }
-        print(&text(&all))
+        Ok(print(&text(&all))?)
     }
 }
 

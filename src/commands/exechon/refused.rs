@@ -1,5 +1,6 @@
 //! Why a command of the parallel machine was refused.
 
+use crate::commands::output::OutputError;
 use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::data::WriteError;
@@ -29,14 +30,8 @@ pub enum ExechonRefused {
     Nc(#[from] NcError),
     #[error("{0}\n  expected a machine that reaches the paper's positions")]
     Experiment(#[from] ExperimentError),
-    #[error("output: {0}")]
-    Output(std::io::ErrorKind),
+    #[error(transparent)]
+    Output(#[from] OutputError),
     #[error("--{0}: {1}")]
     Option(&'static str, &'static str),
-}
-
-impl From<std::io::Error> for ExechonRefused {
-    fn from(e: std::io::Error) -> Self {
-        Self::Output(e.kind())
-    }
 }

@@ -1,8 +1,9 @@
 //! `trunnion exechon ring`: what a probed ring shows.
 
 use super::ExechonRefused;
-use super::arguments::{Which, numbers};
-use super::spool::{picture, print};
+use super::arguments::Which;
+use crate::commands::number;
+use crate::commands::output::{Picture, print};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
@@ -17,20 +18,19 @@ pub struct RingArguments {
     file: PathBuf,
     /// The probe's offset, mm: each touch is moved to the ball's centre, by its spindle angle (0 without the column) and
     /// the dependent rotation there.
-    #[arg(long, value_name = "OX,OY", value_parser = numbers::<2>, allow_hyphen_values = true)]
+    #[arg(long, value_name = "OX,OY", value_parser = number::positions::<2>, allow_hyphen_values = true)]
     offset: Option<[f64; 2]>,
     /// The stylus ball's diameter, mm, added to the circle's: the ring is touched from inside.
-    #[arg(long, value_name = "MM", default_value_t = 6.0)]
+    #[arg(long, value_name = "MM", default_value_t = 6.0, value_parser = number::size, allow_negative_numbers = true)]
     stylus: f64,
     /// Touches nearer than half of this are repeats of one place, degrees.
-    #[arg(long, value_name = "DEG", default_value_t = 10.0)]
+    #[arg(long, value_name = "DEG", default_value_t = 10.0, value_parser = number::step, allow_negative_numbers = true)]
     step: f64,
     /// One JSON document instead of text.
     #[arg(long)]
     json: bool,
-    /// Draws the radial deviations (SVG).
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
+    #[command(flatten)]
+    picture: Picture,
     #[command(flatten)]
     which: Which,
 }
@@ -38,16 +38,17 @@ pub struct RingArguments {
 impl RingArguments {
     /// Fits and shows.
     pub fn run(self) -> Result<(), ExechonRefused> {
-        if !(self.step > 0.0 && self.step <= 360.0) {
-            return Err(ExechonRefused::Option("step", "expected an angle in degrees"));
-        }
-        if !(self.stylus >= 0.0 && self.stylus.is_finite()) {
-            return Err(ExechonRefused::Option("stylus", "expected a diameter in mm"));
+        if self.offset.is_none() && self.which.inputs().next().is_some() {
+            return Err(ExechonRefused::Option(
+                "machine",
+                "of no use here\n  expected it with --offset, or not at all",
+            ));
         }
         let machine = self.which.read()?;
         let report = ring_report_of(&machine, &self.file, self.offset, self.step.to_radians())?;
-        picture(self.svg.as_deref(), || Ok(ring_picture(&[("", &report)], "Circular deviation")?))?;
-        print(&if self.json { self.document(&report) } else { self.text(&report) })
+        let inputs = self.which.inputs().chain([self.file.as_path()]);
+        self.picture.draw(inputs, || Ok::<_, ExechonRefused>(ring_picture(&[("", &report)], "Circular deviation")?))?;
+        Ok(print(&if self.json { self.document(&report) } else { self.text(&report) })?)
     }
 
     fn document(&self, report: &RingReport) -> String {

@@ -53,7 +53,7 @@ impl Wanted<'_> {
             lengths: lengths(model, self.radius, self.lengths)?,
             samples: self.measuring.samples as usize,
             range: (0.0, TAU),
-            sigma: self.measuring.sigma()?,
+            sigma: self.measuring.sigma(),
             limits: self.limits,
         };
         let asked = Asked { functions: self.functions.iter().enumerate().map(within).collect(), measured };
@@ -65,11 +65,11 @@ impl Wanted<'_> {
         let found = design(draft, model, &asked, &|placings| bar.set_position(placings as u64));
         bar.finish_and_clear();
         let found = found?;
-        print(&if self.json {
+        Ok(print(&if self.json {
             format!("{:#}\n", object(model, &found, &units))
         } else {
             self.text(model, &found, &units)
-        })
+        })?)
     }
 
     fn text(&self, model: &Model, found: &Design, units: &[Unit]) -> String {

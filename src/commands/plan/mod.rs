@@ -9,6 +9,7 @@ use self::designed::Wanted;
 use self::found::Found;
 use super::Refused;
 use super::model::{lengths, load, others, source};
+use super::number;
 use super::output::print;
 use super::predicted::{self, Measuring};
 use super::stated::{LimitArguments, RangeArguments};
@@ -47,7 +48,7 @@ pub struct PlanArguments {
     functions: Vec<String>,
     /// With --for: how large the expanded uncertainty of 95 % from noise may be, µrad or µm, one for all or one for each; a tenth
     /// more than the least without it.
-    #[arg(long, value_name = "U", value_delimiter = ',', requires = "functions", value_parser = positive)]
+    #[arg(long, value_name = "U", value_delimiter = ',', requires = "functions", value_parser = number::goal, allow_negative_numbers = true)]
     within: Vec<f64>,
     #[command(flatten)]
     limits: LimitArguments,
@@ -72,6 +73,10 @@ impl PlanArguments {
         // The model has just been read, so its draft can be.
         let mut draft = read_draft(&text_of_model).unwrap_or_default();
         if !self.functions.is_empty() {
+            if let Some(second) = self.radius.get(1) {
+                let told = "of no use with --for\n  expected one length of the bar";
+                return Err(Refused::Option("radius", second.to_string(), told));
+            }
             self.ranges.write(&model, &mut draft);
             return self.wanted(&model)?.run(&draft, &model);
         }
@@ -94,10 +99,10 @@ impl PlanArguments {
             tried,
             added,
         };
-        print(&match self.json {
+        Ok(print(&match self.json {
             true => format!("{:#}\n", json::json(&found)),
             false => text::text(&found),
-        })
+        })?)
     }
 
     fn first_radius(&self) -> Result<Option<Radius>, Refused> {
@@ -111,7 +116,7 @@ impl PlanArguments {
             within: &self.within,
             radius: self.first_radius()?,
             lengths: &self.lengths,
-            limits: self.limits.of(model)?,
+            limits: self.limits.of(model),
             measuring: &self.measuring,
             json: self.json,
         })
@@ -127,7 +132,7 @@ impl PlanArguments {
             ranges_deg: if self.range_deg.is_empty() { RANGES.to_vec() } else { self.range_deg.clone() },
             without: self.without(model)?,
             samples: self.measuring.samples as usize,
-            sigma: self.measuring.sigma()?,
+            sigma: self.measuring.sigma(),
             estimator: self.measuring.estimator.into(),
         })
     }
@@ -140,7 +145,7 @@ impl PlanArguments {
             samples: comparison.samples,
             range: (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to)),
             sigma: comparison.sigma,
-            limits: self.limits.of(model)?,
+            limits: self.limits.of(model),
         })
     }
 
@@ -163,9 +168,4 @@ impl PlanArguments {
         }
         Ok(without)
     }
-}
-
-fn positive(text: &str) -> Result<f64, &'static str> {
-    let number = text.trim().parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0);
-    number.ok_or("not a positive number\n  expected an uncertainty in µrad or µm, e.g. 2")
 }

@@ -83,6 +83,18 @@ pub enum FieldProblem {
         /// The field.
         text: String,
     },
+    /// A number that no machine has.
+    #[error(
+        "{text:?} in column {column} is out of range\n  expected a number from -{most} to {most}: is the unit right?"
+    )]
+    Absurd {
+        /// The field's column.
+        column: String,
+        /// The field.
+        text: String,
+        /// The largest, without its sign, in the column's unit.
+        most: f64,
+    },
     /// A single reading that no ball-bar gives.
     #[error(
         "a reading of {reading_mm} mm is beyond the stroke of a ball-bar, about ±1 mm\n  remove the line if it is a slip of the file or of the measurement"

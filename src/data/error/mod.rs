@@ -16,6 +16,8 @@ pub use line::{FieldProblem, LineProblem};
 use header::Joined;
 use words::{Degrees, List};
 
+use super::text::Encoding;
+
 /// Bad lines shown of one file; the rest are counted.
 const SHOWN: usize = 5;
 
@@ -48,7 +50,7 @@ pub enum FileProblem {
         columns: Vec<String>,
     },
     /// The operating system refuses.
-    #[error("cannot be read: {0}")]
+    #[error("cannot be read: {0}\n  expected a file that can be read")]
     Unreadable(io::ErrorKind),
     /// Nothing but comments and empty lines.
     #[error("the file is empty\n  expected a header line with the columns {}", List(.columns))]
@@ -57,12 +59,12 @@ pub enum FileProblem {
         columns: Vec<String>,
     },
     /// Not UTF-8.
-    #[error("not UTF-8 text{}\n  save the file as plain CSV in UTF-8", .utf16.then_some(" but UTF-16").unwrap_or_default())]
+    #[error("not UTF-8 text but {encoding}\n  save the file as plain CSV in UTF-8")]
     NotUtf8 {
         /// The line of the first bad byte.
         line: u64,
-        /// It begins with a UTF-16 byte order mark.
-        utf16: bool,
+        /// What it looks like.
+        encoding: Encoding,
     },
     /// Fields divided by something else than commas.
     #[error(

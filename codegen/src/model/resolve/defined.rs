@@ -30,7 +30,8 @@ impl Resolver {
             return (self.is_name(name) && self.is_free(name)).then(|| self.value(text, &expr, sweep)).flatten();
         }
         let root = Root { of: of.terms().to_vec() };
-        if !self.alphabet.has_root(&root, &name.value) && !(self.is_name(name) && self.is_free(name)) {
+        let known = self.alphabet.has_root(&root, &name.value);
+        if !(known || (self.is_name(name) && self.is_free(name))) {
             return None;
         }
         let made = self.alphabet.root(root, name.value.clone());

@@ -1,0 +1,57 @@
+//! Which files are earlier results, and may be replaced by new ones.
+//!
+//! A picture says itself that Trunnion drew it. Measurement files cannot: a simulated one looks like a real one, which must not
+//! be lost. So `truth.json` lists the files that were written with it, each with a digest; one that was changed since is none of
+//! them.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use crate::plot::MADE;
+
+/// The file that lists those written with it.
+pub(in crate::data) const INDEX: &str = "truth.json";
+
+/// The key of the list in it.
+pub(in crate::data) const LISTED: &str = "files";
+
+/// FNV-1a of 64 bits, in hexadecimal: tells a changed file, and need not withstand an attack.
+pub(in crate::data) fn digest(contents: &[u8]) -> String {
+    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    format!("{:016x}", contents.iter().fold(0xcbf2_9ce4_8422_2325, step))
+}
+
+/// The files of a directory that its index lists, with their digests, and the index itself.
+#[derive(Default)]
+pub(super) struct Listed(BTreeMap<String, Option<String>>);
+
+impl Listed {
+    /// Of a directory; nothing where it has no such index.
+    pub fn of(directory: &Path) -> Self {
+        let index = fs::read(directory.join(INDEX)).ok();
+        let index: Option<serde_json::Value> = index.and_then(|text| serde_json::from_slice(&text).ok());
+        let Some(files) = index.as_ref().and_then(|index| index.get(LISTED)?.as_object()) else {
+            return Self::default();
+        };
+        let digest = |(name, digest): (&String, &serde_json::Value)| (name.clone(), digest.as_str().map(str::to_owned));
+        Self(files.iter().map(digest).chain([(INDEX.to_owned(), None)]).collect())
+    }
+
+    /// Whether the index has a name, or is it.
+    pub fn has(&self, name: &str) -> bool {
+        self.0.contains_key(name)
+    }
+
+    /// Whether a file in the directory is an earlier result.
+    pub fn is_own(&self, name: &str, contents: &[u8]) -> bool {
+        let listed = self.0.get(name).is_some_and(|own| own.as_ref().is_none_or(|own| *own == digest(contents)));
+        listed || says_so(contents)
+    }
+}
+
+/// Whether a file says itself that it is an earlier result; an empty one has nothing to lose.
+pub(super) fn says_so(contents: &[u8]) -> bool {
+    let head = &contents[..contents.len().min(256)];
+    contents.is_empty() || head.windows(MADE.len()).any(|part| part == MADE.as_bytes())
+}

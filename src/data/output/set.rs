@@ -1,0 +1,168 @@
+//! A set of files in a directory: complete or absent, whenever the process ends.
+//!
+//! A directory that is new or holds nothing but earlier results is written beside and takes the name as a whole: the earlier one
+//! is set aside first, so that whoever looks finds all of the old files, none, or all of the new ones.
+//!
+//! A directory that has other files, or in which somebody works (the current one), stays. Files are staged within it and moved one
+//! after the other; a process that is killed between two moves leaves the rest staged, and the next run moves them first.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::Guard;
+use super::error::{WriteError, WriteProblem};
+use super::own::Listed;
+use super::place::{beside, followed};
+use super::stage::{Lock, Stage, remove};
+
+/// Files staged within their directory, and files that are being moved from there.
+const WITHIN: &str = ".trunnion";
+const MOVING: &str = ".trunnion-moving";
+
+/// Files that belong together, by name.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Files(BTreeMap<String, Vec<u8>>);
+
+impl Files {
+    /// Adds one.
+    pub fn add(&mut self, name: impl Into<String>, contents: impl Into<Vec<u8>>) {
+        self.0.insert(name.into(), contents.into());
+    }
+
+    /// Names and contents.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.0.iter().map(|(name, contents)| (name.as_str(), contents.as_slice()))
+    }
+
+    /// Writes them all or none into a directory, in place of what an earlier run wrote there.
+    ///
+    /// # Errors
+    /// [`WriteError`] where the directory cannot be written or another process writes it; where a file is in the way that is no
+    /// earlier result.
+    pub fn write(&self, directory: &Path, guard: &Guard) -> Result<(), WriteError> {
+        let failed = |problem| WriteError { file: directory.to_owned(), problem };
+        let out = resolved(directory).map_err(failed)?;
+        let _lock = Lock::take(&out).map_err(failed)?;
+        let earlier = finish(&out).and_then(|()| Earlier::of(&out, self)).map_err(|e| failed(e.into()))?;
+        for name in self.0.keys().chain(&earlier.own) {
+            let allowed = guard.allows(&out.join(name), |contents| earlier.listed.is_own(name, contents));
+            allowed.map_err(|problem| WriteError { file: directory.join(name), problem })?;
+        }
+        self.put(&out, &earlier).map_err(failed)
+    }
+
+    fn put(&self, out: &Path, earlier: &Earlier) -> Result<(), WriteProblem> {
+        let work_here = std::env::current_dir().is_ok_and(|here| here.starts_with(out));
+        if out.exists() && (earlier.others || work_here) {
+            return self.one_by_one(out, earlier);
+        }
+        match self.as_a_whole(out) {
+            // A place for it beside may not be had, or the directory be where another disk is mounted.
+            Err(problem) if out.exists() && problem != WriteProblem::Busy => self.one_by_one(out, earlier),
+            done => done,
+        }
+    }
+
+    fn as_a_whole(&self, out: &Path) -> Result<(), WriteProblem> {
+        let staged = Stage::directory(beside(out, ""))?;
+        let aside = beside(out, "-old");
+        // Left by a process that was killed between the two moves below, or after them.
+        if out.exists() || fs::rename(&aside, out).is_err() {
+            remove(&aside);
+        }
+        self.write_into(&staged)?;
+        if let Ok(before) = fs::metadata(out) {
+            fs::set_permissions(staged.path(), before.permissions())?;
+        }
+        staged.commit(|staged| {
+            if out.exists() {
+                fs::rename(out, &aside)?;
+            }
+            fs::rename(staged, out).inspect_err(|_| drop(fs::rename(&aside, out)))?;
+            remove(&aside);
+            Ok(())
+        })
+    }
+
+    fn one_by_one(&self, out: &Path, earlier: &Earlier) -> Result<(), WriteProblem> {
+        let staged = Stage::directory(out.join(WITHIN))?;
+        self.write_into(&staged)?;
+        // Earlier results without a successor.
+        for name in earlier.own.iter().filter(|name| !self.0.contains_key(*name)) {
+            staged.mark(name)?;
+        }
+        staged.commit(|staged| {
+            fs::rename(staged, out.join(MOVING))?;
+            finish(out)
+        })
+    }
+
+    fn write_into(&self, staged: &Stage) -> io::Result<()> {
+        self.0.iter().try_for_each(|(name, contents)| staged.write(name, contents))
+    }
+}
+
+/// Moves what is staged for it into a directory.
+fn finish(out: &Path) -> io::Result<()> {
+    let moving = out.join(MOVING);
+    let Ok(entries) = fs::read_dir(&moving) else { return Ok(()) };
+    for entry in entries {
+        let entry = entry?;
+        let to = out.join(entry.file_name());
+        if entry.file_type()?.is_dir() {
+            remove(&to);
+            continue;
+        }
+        // A link stays one. It may lead to another disk.
+        let to = fs::canonicalize(&to).unwrap_or(to);
+        fs::rename(entry.path(), &to).or_else(|_| fs::copy(entry.path(), &to).map(drop))?;
+    }
+    fs::remove_dir_all(moving)
+}
+
+/// What a directory has before.
+struct Earlier {
+    listed: Listed,
+    /// Earlier results.
+    own: Vec<String>,
+    /// Whether there is anything else, or a link, which is somebody's own.
+    others: bool,
+}
+
+impl Earlier {
+    fn of(out: &Path, files: &Files) -> io::Result<Self> {
+        let mut earlier = Self { listed: Listed::of(out), own: Vec::new(), others: false };
+        for entry in fs::read_dir(out).into_iter().flatten() {
+            let entry = entry?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let candidate = entry.file_type()?.is_file() && (files.0.contains_key(&name) || earlier.listed.has(&name));
+            if candidate && earlier.listed.is_own(&name, &fs::read(entry.path())?) {
+                earlier.own.push(name);
+            } else if name != WITHIN {
+                earlier.others = true;
+            }
+        }
+        Ok(earlier)
+    }
+}
+
+/// The directory that a name leads to, made but for itself.
+fn resolved(directory: &Path) -> Result<PathBuf, WriteProblem> {
+    let made = |directory: &Path| {
+        fs::create_dir_all(directory).map_err(|e| {
+            // What the operating system calls this, "already exists", leads nowhere.
+            let kind = if directory.is_file() { io::ErrorKind::NotADirectory } else { e.kind() };
+            WriteProblem::Directory(kind)
+        })
+    };
+    if let Some(parent) = directory.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+        made(parent)?;
+    }
+    let out = followed(directory)?;
+    match out.exists() && !out.is_dir() {
+        true => Err(WriteProblem::Directory(io::ErrorKind::NotADirectory)),
+        false => Ok(out),
+    }
+}
