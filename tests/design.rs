@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use trunnion::study::plan::design::{Asked, Choices, Design, Measured, Pool, design, share, with_runs};
 use trunnion::study::plan::{Intended, predict, uniform_std};
-use trunnion::study::{Draws, ErrorLimits, Estimator, Setup, monte_carlo};
+use trunnion::study::{Draws, ErrorLimits, Estimator, Instrument, Setup, monte_carlo};
 use trunnion_codegen::catalogue::MODELS;
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::ids::FunctionId;
@@ -17,7 +17,8 @@ const NOISE: f64 = 1e-4;
 
 fn measured() -> Measured {
     let range = (0.0, TAU);
-    Measured { lengths: Vec::new(), samples: SAMPLES, range, sigma: uniform_std(NOISE), limits: ErrorLimits::PAPER }
+    let (sigma, limits, instrument) = (uniform_std(NOISE), ErrorLimits::PAPER, Instrument::default());
+    Measured { lengths: Vec::new(), samples: SAMPLES, range, sigma, limits, instrument }
 }
 
 fn read(name: &str) -> (Draft, Model) {

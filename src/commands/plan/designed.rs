@@ -10,8 +10,8 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::time::Duration;
 use trunnion::data::Radius;
-use trunnion::study::plan::design::{Asked, Design, DesignError, Measured, Proposal, design, estimated};
-use trunnion::study::{ErrorLimits, Setup};
+use trunnion::study::plan::design::{Asked, Design, DesignError, Measured, Proposal, Reachable, design, estimated};
+use trunnion::study::{ErrorLimits, Instrument, Setup};
 use trunnion_codegen::model::{Draft, DraftRun, Model};
 use trunnion_codegen::quantity::Unit;
 
@@ -27,6 +27,8 @@ pub struct Wanted<'a> {
     pub lengths: &'a [String],
     /// Limits of the errors.
     pub limits: ErrorLimits,
+    /// What is known of the instrument.
+    pub instrument: Instrument,
     /// Samples and noise.
     pub measuring: &'a Measuring,
     /// One object instead of text.
@@ -55,6 +57,7 @@ impl Wanted<'_> {
             range: (0.0, TAU),
             sigma: self.measuring.sigma(),
             limits: self.limits,
+            instrument: self.instrument,
         };
         let asked = Asked { functions: self.functions.iter().enumerate().map(within).collect(), measured };
         let bar = ProgressBar::new_spinner();
@@ -77,7 +80,7 @@ impl Wanted<'_> {
         let setup = found.proposals.first().map(|p| &p.setup);
         let _ = writeln!(
             out,
-            "{}{} samples a run, noise ±{} µm, {} runs to choose from; ± is noise alone, expanded to 95 %",
+            "{}{} samples a run, noise ±{} µm, {} runs to choose from; ± is expanded to 95 %",
             setup.map_or_else(String::new, lengths_of),
             self.measuring.samples,
             self.measuring.noise_um,
@@ -87,12 +90,16 @@ impl Wanted<'_> {
             let [within, best] = [reachable.within, reachable.best].map(|x| unit.from_inner(x));
             let _ = writeln!(
                 out,
-                "  {}: all of them together give ± {best:.3} {unit}; looked for ± {within:.3} {unit}",
+                "  {}: all of them together give ± {best:.3} {unit} at best; looked for ± {within:.3} {unit}",
                 reachable.name
             );
             if let Some(asked) = reachable.asked.map(|x| unit.from_inner(x)).filter(|asked| *asked < within) {
                 let _ = writeln!(out, "    ± {asked} {unit} cannot be reached with these runs");
             }
+        }
+        let over = |(asked, (_, u95)): (&Reachable, &(_, f64))| asked.asked.is_some_and(|asked| *u95 > asked);
+        if found.proposals.first().is_some_and(|p| found.functions.iter().zip(&p.budgets).any(over)) {
+            out += "  no set of these runs gives what is asked from all sources of uncertainty; these are the nearest to it\n";
         }
         let Some((first, others)) = found.proposals.split_first() else {
             out += "\nno set of these runs gives that\n";
@@ -132,6 +139,10 @@ fn summary(proposal: &Proposal) -> String {
     let mut out = format!("{placings} of the balls, {runs}, condition {:.0}", proposal.prediction.condition);
     for predicted in &proposal.prediction.functions {
         let _ = write!(out, "\n  {}", function(&proposal.setup, predicted));
+        if let Some((of, u95)) = proposal.budgets.iter().find(|(f, _)| *f == predicted.function) {
+            let unit = proposal.setup.quantity(*of).deviation();
+            let _ = write!(out, "; ± {:.3} {unit} from all sources", unit.from_inner(*u95));
+        }
     }
     out
 }
@@ -144,7 +155,11 @@ fn object(model: &Model, found: &Design, units: &[Unit]) -> Value {
         let functions = p.prediction.functions.iter().map(|f| {
             let unit = p.setup.quantity(f.function).deviation();
             let largest = f.largest.map(|l| json!({ "std": unit.from_inner(l.std), "u95": unit.from_inner(l.u95) }));
-            json!({ "name": p.setup.function_name(f.function), "unit": unit.suffix(), "told": f.told.words, "largest": largest })
+            let budget = p.budgets.iter().find(|(of, _)| *of == f.function).map(|(_, u95)| unit.from_inner(*u95));
+            json!({
+                "name": p.setup.function_name(f.function), "unit": unit.suffix(), "told": f.told.words,
+                "largest": largest, "u95": budget,
+            })
         });
         json!({
             "placings": p.placings,

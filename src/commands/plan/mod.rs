@@ -12,11 +12,11 @@ use super::model::{lengths, load, others, source};
 use super::number;
 use super::output::print;
 use super::predicted::{self, Measuring};
-use super::stated::{LimitArguments, RangeArguments};
+use super::stated::{InstrumentArguments, LimitArguments, RangeArguments};
 use clap::Args;
 use trunnion::data::Radius;
 use trunnion::data::Unit;
-use trunnion::study::SetupError;
+use trunnion::study::{Instrument, SetupError};
 use trunnion::study::plan::design::{Measured, recommended};
 use trunnion::study::plan::{Comparison, additions, compare};
 use trunnion_codegen::catalogue;
@@ -46,14 +46,16 @@ pub struct PlanArguments {
     /// runs, among the model's own and those that its machine allows.
     #[arg(long = "for", value_name = "FUNCTION", value_delimiter = ',', conflicts_with_all = ["range_deg", "without"])]
     functions: Vec<String>,
-    /// With --for: how large the expanded uncertainty of 95 % from noise may be, µrad or µm, one for all or one for each; a tenth
-    /// more than the least without it.
+    /// With --for: how large the expanded uncertainty of 95 % from all sources may be, µrad or µm, one for all or one for each; a
+    /// tenth more than the least without it.
     #[arg(long, value_name = "U", value_delimiter = ',', requires = "functions", value_parser = number::goal, allow_negative_numbers = true)]
     within: Vec<f64>,
     #[command(flatten)]
     limits: LimitArguments,
     #[command(flatten)]
     ranges: RangeArguments,
+    #[command(flatten)]
+    instrument: InstrumentArguments,
     #[command(flatten)]
     measuring: Measuring,
     /// Print one JSON object.
@@ -117,6 +119,7 @@ impl PlanArguments {
             radius: self.first_radius()?,
             lengths: &self.lengths,
             limits: self.limits.of(model),
+            instrument: self.instrument.instrument(model)?,
             measuring: &self.measuring,
             json: self.json,
         })
@@ -146,6 +149,8 @@ impl PlanArguments {
             range: (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to)),
             sigma: comparison.sigma,
             limits: self.limits.of(model),
+            // Of given runs the comparison is one of noise.
+            instrument: Instrument::default(),
         })
     }
 

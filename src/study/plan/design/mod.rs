@@ -1,5 +1,6 @@
 //! Tests that are designed: which runs to measure for a function.
 
+mod budgets;
 mod choices;
 mod pool;
 mod proposal;

@@ -3,12 +3,14 @@
 //! Each run is derived by itself, as it is on the machine with all of them. Parameters count in units of what is known of them
 //! before: that of their limit, times `beyond`. A run's information is then `Σ rows rowsᵀ / σ²`, and after a set S of runs a
 //! combination φ of parameters has the variance `φᵀ (1 + Σ_S)⁻¹ φ`: of what the runs determine it comes from noise, of what they
-//! don't from the limits. Directions of which all runs together say nothing are split off first.
+//! don't from the limits. What the instrument keeps through a run is a parameter, too; an estimate that takes it as none is less
+//! certain, so this is the least that a set can reach. Directions of which all runs together say nothing are split off first.
 
 use super::choices::Choices;
 use crate::study::plan::{subset, uniform_std};
+use crate::study::slow::{SLOW, slow};
 use crate::study::visited::{between, visited};
-use crate::study::{ErrorLimits, Setup, SetupError};
+use crate::study::{ErrorLimits, Instrument, Setup, SetupError};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use std::collections::BTreeMap;
 use trunnion_codegen::algebra::{Poly, at};
@@ -36,6 +38,8 @@ pub struct Measured {
     pub sigma: f64,
     /// Limits of the machine's errors.
     pub limits: ErrorLimits,
+    /// What is known of the instrument.
+    pub instrument: Instrument,
 }
 
 /// The runs to choose from, weighed.
@@ -62,20 +66,49 @@ struct Before {
     size: f64,
 }
 
-/// Names of parameters, with their columns.
+/// An error of the instrument that stays the same through a run, or all of them, and is a parameter like others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Instrumental {
+    /// What is slow, by its functions.
+    Slow(usize),
+    /// The bar's length.
+    Bar,
+    /// Its temperature.
+    Temperature,
+}
+
+/// Names of parameters, and those of the instrument, with their columns.
 #[derive(Default)]
-struct Parameters(BTreeMap<String, Before>);
+struct Parameters {
+    machine: BTreeMap<String, Before>,
+    instrument: BTreeMap<Instrumental, usize>,
+}
 
 impl Parameters {
+    fn len(&self) -> usize {
+        self.machine.len() + self.instrument.len()
+    }
+
     fn see(&mut self, name: String, limit: f64, size: f64) {
-        let column = self.0.len();
-        let own = self.0.entry(name).or_insert(Before { column, limit, size });
+        let column = self.len();
+        let own = self.machine.entry(name).or_insert(Before { column, limit, size });
         own.size = own.size.max(size);
+    }
+
+    /// Those of the instrument of which something is stated.
+    fn see_instrument(&mut self, instrument: &Instrument) {
+        let slow = (0..SLOW).map(Instrumental::Slow).filter(|_| instrument.constant > 0.0);
+        let bar = (instrument.bar_length > 0.0).then_some(Instrumental::Bar);
+        let temperature = (instrument.temperature * instrument.expansion > 0.0).then_some(Instrumental::Temperature);
+        for of in slow.chain(bar).chain(temperature) {
+            let column = self.len();
+            self.instrument.entry(of).or_insert(column);
+        }
     }
 
     /// Column and standard deviation, `beyond` times that of the limit.
     fn of(&self, name: &str, beyond: f64) -> Option<(usize, f64)> {
-        let own = self.0.get(name)?;
+        let own = self.machine.get(name)?;
         Some((own.column, beyond * uniform_std(own.limit) / own.size))
     }
 }
@@ -117,12 +150,14 @@ impl Pool {
                 *range = (range.0.min(low), range.1.max(high));
             }
         }
+        parameters.see_instrument(&measured.instrument);
+        let nothing = || DMatrix::zeros(parameters.len(), parameters.len());
         let rows = |runs: &Vec<RunId>| {
-            let own = runs.iter().map(|run| singles[*run].information(measured.sigma, &parameters, beyond));
-            own.fold(DMatrix::zeros(parameters.0.len(), parameters.0.len()), |sum, own| sum + own)
+            let own = runs.iter().map(|run| singles[*run].information(measured, &parameters, beyond));
+            own.fold(nothing(), |sum, own| sum + own)
         };
         let whole: Vec<DMatrix<f64>> = choices.members.iter().map(rows).collect();
-        let all = whole.iter().fold(DMatrix::zeros(parameters.0.len(), parameters.0.len()), |sum, own| sum + own);
+        let all = whole.iter().fold(nothing(), |sum, own| sum + own);
         let space = told(all);
         let targets = |function: FunctionId| -> Vec<Target> {
             let points = ranges.get(&function).into_iter().flat_map(|&range| between(range, STEPS));
@@ -205,18 +240,31 @@ impl Single {
     }
 
     /// `Σ rows rowsᵀ / σ²`.
-    fn information(&self, sigma: f64, parameters: &Parameters, beyond: f64) -> DMatrix<f64> {
+    fn information(&self, measured: &Measured, parameters: &Parameters, beyond: f64) -> DMatrix<f64> {
         let setup = &self.setup;
-        let size = parameters.0.len();
         let regressors = &setup.derivation.runs[self.run].regressors;
-        let mut own = DMatrix::zeros(regressors.len(), regressors.len());
+        let width = regressors.len() + parameters.instrument.len();
+        let mut own = DMatrix::zeros(width, width);
         let mut row = setup.row(self.run);
+        let (mut values, mut shape) = (DVector::zeros(width), [0.0; SLOW]);
+        let (bar, instrument) = (setup.bar(self.run), &measured.instrument);
         for (&sweep, direction) in self.sweeps.iter().zip(directions(&self.sweeps)) {
-            let values = DVector::from_column_slice(row.at(sweep, direction).0);
-            own.ger(1.0 / (sigma * sigma), &values, &values, 1.0);
+            slow(sweep, &mut shape);
+            // One standard deviation of each error of the instrument.
+            let instrumental = parameters.instrument.keys().map(|of| match of {
+                Instrumental::Slow(k) => shape[*k] * instrument.constant,
+                Instrumental::Bar => bar.map_or(0.0, |_| instrument.bar_length),
+                Instrumental::Temperature => bar.unwrap_or(0.0) * instrument.expansion * instrument.temperature,
+            });
+            let all = row.at(sweep, direction).0.iter().copied().chain(instrumental);
+            values.iter_mut().zip(all).for_each(|(value, own)| *value = own);
+            own.ger(measured.sigma.powi(-2), &values, &values, 1.0);
         }
         let definitions = setup.definitions();
-        let mut across = DMatrix::zeros(regressors.len(), size);
+        let mut across = DMatrix::zeros(width, parameters.len());
+        for (at, column) in parameters.instrument.values().enumerate() {
+            across[(regressors.len() + at, *column)] = 1.0;
+        }
         for (at, (base, _)) in regressors.iter().enumerate() {
             for (j, factor) in &definitions[*base] {
                 if let Some((column, std)) = parameters.of(&setup.derivation.parameters[*j].name, beyond) {
@@ -235,7 +283,7 @@ impl Single {
         beyond: f64,
         space: &DMatrix<f64>,
     ) -> Target {
-        let mut whole = DVector::zeros(parameters.0.len());
+        let mut whole = DVector::zeros(parameters.len());
         let mut add = |origin: Origin, factor: f64| {
             if let Some((column, std)) = parameters.of(&name(&self.setup.model, origin), beyond) {
                 whole[column] += factor * std;

@@ -1,5 +1,6 @@
 //! What to measure for a function: the sets found by numbers, held against the exact derivation of each.
 
+use super::budgets::budgets;
 use super::choices::{Choices, with_runs};
 use super::pool::{Measured, Pool};
 use super::search::{Enough, Next, Within, fewest};
@@ -73,7 +74,7 @@ pub struct Reachable {
     pub asked: Option<f64>,
     /// What was looked for: what was asked, or what is near the best.
     pub within: f64,
-    /// What all runs together give.
+    /// What all runs together could give at best, from noise, the instrument and what they leave undetermined.
     pub best: f64,
 }
 
@@ -86,8 +87,10 @@ pub struct Proposal {
     pub setup: Setup,
     /// Placings of the balls.
     pub placings: usize,
-    /// What it would give.
+    /// What it would give from noise alone.
     pub prediction: Prediction,
+    /// Of each function asked for, the largest expanded uncertainty from all sources, mm or rad.
+    pub budgets: Vec<(FunctionId, f64)>,
 }
 
 /// Proposes runs for functions of a model; `done` is told how many placings of the balls are being tried.
@@ -118,11 +121,11 @@ pub fn design(
         within: within.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
         best: best.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
     };
-    let (mut proposals, mut hardly, mut refused) = (Vec::new(), Vec::new(), None);
+    let (mut proposals, mut hardly, mut over, mut refused) = (Vec::new(), Vec::new(), Vec::new(), None);
     let mut tried = 0;
     fewest(&pool, &within, done, &mut |enough| {
         tried += 1;
-        match exact(draft, &choices, &enough, asked) {
+        match exact(draft, &choices, &enough, asked, &functions) {
             Err(error) => {
                 refused.get_or_insert(error);
             }
@@ -131,7 +134,11 @@ pub fn design(
                 let as_said = |f: &FunctionId| of(f).is_some_and(|p| p.told.extent == Extent::Determined);
                 if !determined || functions.iter().all(as_said) {
                     let well = proposal.prediction.condition <= WELL;
-                    if well { &mut proposals } else { &mut hardly }.push(proposal);
+                    match proposal.beyond(&wanted) {
+                        beyond if beyond > 1.0 => over.push((beyond, proposal)),
+                        _ if well => proposals.push(proposal),
+                        _ => hardly.push(proposal),
+                    }
                 }
             }
         }
@@ -139,11 +146,24 @@ pub fn design(
     });
     hardly.sort_by(|a, b| a.prediction.condition.total_cmp(&b.prediction.condition));
     proposals.extend(hardly.into_iter().take((ALTERNATIVES + 1).saturating_sub(proposals.len())));
+    if proposals.is_empty() {
+        // All that is asked is more than the whole budget allows: the nearest to it.
+        over.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        proposals.extend(over.into_iter().take(ALTERNATIVES + 1).map(|(_, proposal)| proposal));
+    }
     if let Some(error) = refused.filter(|_| proposals.is_empty()) {
         return Err(error);
     }
     let functions = asked.functions.iter().enumerate().map(reachable).collect();
     Ok(Design { choices: choices.runs, functions, proposals })
+}
+
+impl Proposal {
+    /// The largest of expanded uncertainties over what they may be (standard uncertainties, where anything is asked).
+    fn beyond(&self, wanted: &[Option<f64>]) -> f64 {
+        let share = |((_, u95), wanted): (&(FunctionId, f64), &Option<f64>)| Some(u95 / (COVERAGE_FACTOR * (*wanted)?));
+        self.budgets.iter().zip(wanted).filter_map(share).fold(0.0, f64::max)
+    }
 }
 
 /// A pool and what is asked of it, as standard uncertainties.
@@ -191,12 +211,19 @@ pub fn estimated(model: &Model, name: &str) -> Result<FunctionId, DesignError> {
 }
 
 /// A set, derived and weighed as a model of its own.
-fn exact(draft: &Draft, choices: &Choices, enough: &Enough, asked: &Asked) -> Result<Proposal, DesignError> {
+fn exact(
+    draft: &Draft,
+    choices: &Choices,
+    enough: &Enough,
+    asked: &Asked,
+    functions: &[FunctionId],
+) -> Result<Proposal, DesignError> {
     let runs: Vec<DraftRun> = enough.runs.iter().filter_map(|&i| choices.runs.get(i).cloned()).collect();
     let draft = with_runs(draft, &runs);
     let lengths: Vec<(&str, f64)> = asked.measured.lengths.iter().map(|(name, mm)| (name.as_str(), *mm)).collect();
     let setup = Setup::new(draft.build().map_err(SetupError::Description)?, &lengths)?;
     let Measured { samples, range, sigma, .. } = asked.measured;
     let prediction = predict(&setup, Intended { samples, range, sigma }, Estimator::Joint)?;
-    Ok(Proposal { draft, setup, placings: enough.placings, prediction })
+    let budgets = budgets(&setup, functions, &asked.measured)?;
+    Ok(Proposal { draft, setup, placings: enough.placings, prediction, budgets })
 }
