@@ -10,7 +10,9 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::time::Duration;
 use trunnion::data::Radius;
-use trunnion::study::plan::design::{Asked, Design, DesignError, Measured, Proposal, Reachable, design, estimated};
+use trunnion::study::plan::design::{
+    Asked, Budgeted, Design, DesignError, Measured, Proposal, Reachable, design, estimated,
+};
 use trunnion::study::{ErrorLimits, Instrument, Setup};
 use trunnion_codegen::model::{Draft, DraftRun, Model};
 use trunnion_codegen::quantity::Unit;
@@ -90,14 +92,14 @@ impl Wanted<'_> {
             let [within, best] = [reachable.within, reachable.best].map(|x| unit.from_inner(x));
             let _ = writeln!(
                 out,
-                "  {}: all of them together give ± {best:.3} {unit} at best; looked for ± {within:.3} {unit}",
+                "  {}: the least of all sets tried is ± {best:.3} {unit} from all sources; looked for ± {within:.3} {unit}",
                 reachable.name
             );
             if let Some(asked) = reachable.asked.map(|x| unit.from_inner(x)).filter(|asked| *asked < within) {
                 let _ = writeln!(out, "    ± {asked} {unit} cannot be reached with these runs");
             }
         }
-        let over = |(asked, (_, u95)): (&Reachable, &(_, f64))| asked.asked.is_some_and(|asked| *u95 > asked);
+        let over = |(asked, own): (&Reachable, &Budgeted)| asked.asked.is_some_and(|asked| own.measured > asked);
         if found.proposals.first().is_some_and(|p| found.functions.iter().zip(&p.budgets).any(over)) {
             out += "  no set of these runs gives what is asked from all sources of uncertainty; these are the nearest to it\n";
         }
@@ -139,9 +141,13 @@ fn summary(proposal: &Proposal) -> String {
     let mut out = format!("{placings} of the balls, {runs}, condition {:.0}", proposal.prediction.condition);
     for predicted in &proposal.prediction.functions {
         let _ = write!(out, "\n  {}", function(&proposal.setup, predicted));
-        if let Some((of, u95)) = proposal.budgets.iter().find(|(f, _)| *f == predicted.function) {
-            let unit = proposal.setup.quantity(*of).deviation();
-            let _ = write!(out, "; ± {:.3} {unit} from all sources", unit.from_inner(*u95));
+        if let Some(own) = proposal.budgets.iter().find(|own| own.function == predicted.function) {
+            let unit = proposal.setup.quantity(own.function).deviation();
+            let [measured, whole] = [own.measured, own.whole].map(|u95| unit.from_inner(u95));
+            let _ = write!(out, "; ± {measured:.3} {unit} from all sources");
+            if whole > 1.01 * measured {
+                let _ = write!(out, ", ± {whole:.3} {unit} with what the model takes as exact");
+            }
         }
     }
     out
@@ -155,10 +161,12 @@ fn object(model: &Model, found: &Design, units: &[Unit]) -> Value {
         let functions = p.prediction.functions.iter().map(|f| {
             let unit = p.setup.quantity(f.function).deviation();
             let largest = f.largest.map(|l| json!({ "std": unit.from_inner(l.std), "u95": unit.from_inner(l.u95) }));
-            let budget = p.budgets.iter().find(|(of, _)| *of == f.function).map(|(_, u95)| unit.from_inner(*u95));
+            let budget = p.budgets.iter().find(|own| own.function == f.function);
+            let [measured, whole] =
+                [budget.map(|b| b.measured), budget.map(|b| b.whole)].map(|u| u.map(|u| unit.from_inner(u)));
             json!({
                 "name": p.setup.function_name(f.function), "unit": unit.suffix(), "told": f.told.words,
-                "largest": largest, "u95": budget,
+                "largest": largest, "u95": measured, "u95_with_assumptions": whole,
             })
         });
         json!({

@@ -79,7 +79,13 @@ impl Budget {
     /// Without what tells a function from the sum it is seen in: of the sum itself.
     #[must_use]
     pub fn of_the_sum(&self) -> Self {
-        Self::new(self.lines.iter().filter(|line| line.source != Source::Confounding).copied().collect())
+        self.without(Source::Confounding)
+    }
+
+    /// Without one of its sources.
+    #[must_use]
+    pub fn without(&self, source: Source) -> Self {
+        Self::new(self.lines.iter().filter(|line| line.source != source).copied().collect())
     }
 }
 

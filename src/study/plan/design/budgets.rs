@@ -2,7 +2,7 @@
 
 use super::pool::Measured;
 use super::proposal::DesignError;
-use crate::study::budget::Sources;
+use crate::study::budget::{Source, Sources};
 use crate::study::visited::{between, visited};
 use crate::study::{Estimator, Observation, Setup, Variance, fit_with};
 use trunnion_codegen::ids::FunctionId;
@@ -10,16 +10,23 @@ use trunnion_codegen::ids::FunctionId;
 /// Coordinates at which a function is looked at, less one.
 const STEPS: usize = 24;
 
-/// Of each function, the largest expanded uncertainty over the coordinates that the runs visit, mm or rad; readings and tables are
-/// taken as zero, so what is proportional to them is not in it.
+/// A function's largest expanded uncertainty over the coordinates that the runs visit, mm or rad; readings and tables are taken as
+/// zero, so what is proportional to them is not in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budgeted {
+    /// The function.
+    pub function: FunctionId,
+    /// From all that depends on what is measured.
+    pub measured: f64,
+    /// With what the model takes as exact, which no run makes less uncertain.
+    pub whole: f64,
+}
+
+/// Of each function what these runs would give.
 ///
 /// # Errors
 /// [`DesignError`] where the runs give no estimate.
-pub(super) fn budgets(
-    setup: &Setup,
-    functions: &[FunctionId],
-    measured: &Measured,
-) -> Result<Vec<(FunctionId, f64)>, DesignError> {
+pub fn budgets(setup: &Setup, functions: &[FunctionId], measured: &Measured) -> Result<Vec<Budgeted>, DesignError> {
     let sweeps = |run| setup.swept(run, measured.samples, measured.range);
     let observations: Vec<Observation> =
         setup.model.runs.keys().map(|run| Observation::zero(setup, run, &sweeps(run))).collect();
@@ -28,8 +35,17 @@ pub(super) fn budgets(
     let largest = |&function: &FunctionId| {
         let range = visited(setup, function, setup.model.runs.keys().map(|run| (run, sweeps(run))));
         let points = range.into_iter().flat_map(|range| between(range, STEPS));
-        let u95 = |x: f64| fit.seen(function).map_or(f64::INFINITY, |seen| sources.function(seen, x).combined.expanded);
-        (function, points.map(u95).fold(0.0, f64::max))
+        let nothing = Budgeted { function, measured: 0.0, whole: 0.0 };
+        let Some(seen) = fit.seen(function) else { return Budgeted { measured: f64::INFINITY, ..nothing } };
+        points.fold(nothing, |largest, x| {
+            let budget = sources.function(seen, x);
+            let measured = budget.without(Source::Assumptions).combined.expanded;
+            Budgeted {
+                function,
+                measured: largest.measured.max(measured),
+                whole: largest.whole.max(budget.combined.expanded),
+            }
+        })
     };
     Ok(functions.iter().map(largest).collect())
 }

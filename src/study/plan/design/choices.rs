@@ -59,12 +59,13 @@ impl Choices {
         let mut next = model.runs.keys();
         let member = |run: &DraftRun| next.by_ref().take(if reads_all(run) { 3 } else { 1 }).collect();
         let members = runs.iter().map(member).collect();
-        let mut placed: Vec<[&DraftBall; 2]> = Vec::new();
+        // By name: where a set-up error is written does not matter.
+        let names = |ball: &DraftBall| ball.setup.iter().map(|text| text.value.clone()).collect::<Vec<String>>();
+        let mut placed: Vec<[Vec<String>; 2]> = Vec::new();
         let mut placings = Vec::new();
         for run in &runs {
-            let balls = [&run.workpiece_ball, &run.tool_ball];
-            let same = |other: &[&DraftBall; 2]| (0..2).all(|i| other[i].setup == balls[i].setup);
-            placings.push(placed.iter().position(same).unwrap_or_else(|| {
+            let balls = [&run.workpiece_ball, &run.tool_ball].map(names);
+            placings.push(placed.iter().position(|other| *other == balls).unwrap_or_else(|| {
                 placed.push(balls);
                 placed.len() - 1
             }));

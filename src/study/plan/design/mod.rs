@@ -7,6 +7,7 @@ mod proposal;
 mod recommended;
 mod search;
 
+pub use budgets::{Budgeted, budgets};
 pub use choices::{Choices, with_runs};
 pub use pool::{Measured, Pool};
 pub use proposal::{Asked, Design, DesignError, Proposal, Reachable, design, estimated};

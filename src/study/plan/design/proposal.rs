@@ -1,12 +1,11 @@
 //! What to measure for a function: the sets found by numbers, held against the exact derivation of each.
 
-use super::budgets::budgets;
+use super::budgets::{Budgeted, budgets};
 use super::choices::{Choices, with_runs};
 use super::pool::{Measured, Pool};
 use super::search::{Enough, Next, Within, fewest};
 use crate::study::plan::{Intended, Prediction, predict, uniform_std};
 use crate::study::{EstimateError, Estimator, Setup, SetupError};
-use std::collections::BTreeMap;
 use thiserror::Error;
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::ids::FunctionId;
@@ -74,7 +73,7 @@ pub struct Reachable {
     pub asked: Option<f64>,
     /// What was looked for: what was asked, or what is near the best.
     pub within: f64,
-    /// What all runs together could give at best, from noise, the instrument and what they leave undetermined.
+    /// The least from all that is measured: of the proposals, and of all runs together.
     pub best: f64,
 }
 
@@ -89,8 +88,8 @@ pub struct Proposal {
     pub placings: usize,
     /// What it would give from noise alone.
     pub prediction: Prediction,
-    /// Of each function asked for, the largest expanded uncertainty from all sources, mm or rad.
-    pub budgets: Vec<(FunctionId, f64)>,
+    /// What it would give of each function asked for from all sources.
+    pub budgets: Vec<Budgeted>,
 }
 
 /// Proposes runs for functions of a model; `done` is told how many placings of the balls are being tried.
@@ -114,26 +113,21 @@ pub fn design(
         // Nothing determines all that is asked: what the limits leave is part of it.
         weighed = weigh(&choices, &functions, &wanted, asked, 1.0)?;
     }
-    let Weighed { pool, within, best, .. } = weighed;
-    let reachable = |(i, (name, asked)): (usize, &(String, Option<f64>))| Reachable {
-        name: name.clone(),
-        asked: *asked,
-        within: within.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
-        best: best.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
-    };
+    let Weighed { pool, within, .. } = weighed;
     let (mut proposals, mut hardly, mut over, mut refused) = (Vec::new(), Vec::new(), Vec::new(), None);
     let mut tried = 0;
     fewest(&pool, &within, done, &mut |enough| {
         tried += 1;
-        match exact(draft, &choices, &enough, asked, &functions) {
+        match exact(draft, &choices, &enough, asked) {
             Err(error) => {
                 refused.get_or_insert(error);
             }
-            Ok(proposal) => {
+            Ok(mut proposal) => {
                 let of = |f: &FunctionId| proposal.prediction.functions.iter().find(|p| p.function == *f);
                 let as_said = |f: &FunctionId| of(f).is_some_and(|p| p.told.extent == Extent::Determined);
                 if !determined || functions.iter().all(as_said) {
                     let well = proposal.prediction.condition <= WELL;
+                    proposal.budgets = budgets(&proposal.setup, &functions, &asked.measured).unwrap_or_default();
                     match proposal.beyond(&wanted) {
                         beyond if beyond > 1.0 => over.push((beyond, proposal)),
                         _ if well => proposals.push(proposal),
@@ -154,6 +148,19 @@ pub fn design(
     if let Some(error) = refused.filter(|_| proposals.is_empty()) {
         return Err(error);
     }
+    let all = Setup::new(choices.model.clone(), &lengths(asked))
+        .map_err(DesignError::from)
+        .and_then(|setup| budgets(&setup, &functions, &asked.measured));
+    let least = |i: usize| {
+        let of = proposals.iter().map(|p| &p.budgets).chain(&all);
+        of.filter_map(|budgets| Some(budgets.get(i)?.measured)).fold(f64::INFINITY, f64::min)
+    };
+    let reachable = |(i, (name, asked)): (usize, &(String, Option<f64>))| Reachable {
+        name: name.clone(),
+        asked: *asked,
+        within: within.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
+        best: least(i),
+    };
     let functions = asked.functions.iter().enumerate().map(reachable).collect();
     Ok(Design { choices: choices.runs, functions, proposals })
 }
@@ -161,7 +168,7 @@ pub fn design(
 impl Proposal {
     /// The largest of expanded uncertainties over what they may be (standard uncertainties, where anything is asked).
     fn beyond(&self, wanted: &[Option<f64>]) -> f64 {
-        let share = |((_, u95), wanted): (&(FunctionId, f64), &Option<f64>)| Some(u95 / (COVERAGE_FACTOR * (*wanted)?));
+        let share = |(own, wanted): (&Budgeted, &Option<f64>)| Some(own.measured / (COVERAGE_FACTOR * (*wanted)?));
         self.budgets.iter().zip(wanted).filter_map(share).fold(0.0, f64::max)
     }
 }
@@ -170,7 +177,6 @@ impl Proposal {
 struct Weighed {
     pool: Pool,
     within: Within,
-    best: BTreeMap<FunctionId, f64>,
     /// Whether all runs together reach what is asked.
     determined: bool,
 }
@@ -193,7 +199,7 @@ fn weigh(
         determined &= least < wanted.unwrap_or(uniform_std(limit));
         within.insert(function, wanted.map_or(NEAR * least, |wanted| wanted.max(NEAR * least)));
     }
-    Ok(Weighed { pool, within, best, determined })
+    Ok(Weighed { pool, within, determined })
 }
 
 /// The estimated function called so, in the model or in a report.
@@ -210,20 +216,16 @@ pub fn estimated(model: &Model, name: &str) -> Result<FunctionId, DesignError> {
     found.ok_or_else(|| DesignError::NoFunction { name: name.to_owned(), known: known() })
 }
 
+fn lengths(asked: &Asked) -> Vec<(&str, f64)> {
+    asked.measured.lengths.iter().map(|(name, mm)| (name.as_str(), *mm)).collect()
+}
+
 /// A set, derived and weighed as a model of its own.
-fn exact(
-    draft: &Draft,
-    choices: &Choices,
-    enough: &Enough,
-    asked: &Asked,
-    functions: &[FunctionId],
-) -> Result<Proposal, DesignError> {
+fn exact(draft: &Draft, choices: &Choices, enough: &Enough, asked: &Asked) -> Result<Proposal, DesignError> {
     let runs: Vec<DraftRun> = enough.runs.iter().filter_map(|&i| choices.runs.get(i).cloned()).collect();
     let draft = with_runs(draft, &runs);
-    let lengths: Vec<(&str, f64)> = asked.measured.lengths.iter().map(|(name, mm)| (name.as_str(), *mm)).collect();
-    let setup = Setup::new(draft.build().map_err(SetupError::Description)?, &lengths)?;
+    let setup = Setup::new(draft.build().map_err(SetupError::Description)?, &lengths(asked))?;
     let Measured { samples, range, sigma, .. } = asked.measured;
     let prediction = predict(&setup, Intended { samples, range, sigma }, Estimator::Joint)?;
-    let budgets = budgets(&setup, functions, &asked.measured)?;
-    Ok(Proposal { draft, setup, placings: enough.placings, prediction, budgets })
+    Ok(Proposal { draft, setup, placings: enough.placings, prediction, budgets: Vec::new() })
 }
