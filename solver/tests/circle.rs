@@ -237,13 +237,11 @@ fn the_narrowest_of_several_zones() {
     assert!((minimum_zone(&copies).unwrap().width() - zone.width()).abs() < 1e-12);
 }
 
-/// Found by fuzzing: far points nearly in line, whose circles have their centres beyond all numbers.
+/// Found by fuzzing: far points, whose zone has its centre beyond all numbers.
 #[test]
-fn circles_beyond_numbers_are_refused() {
+fn zones_beyond_numbers_are_refused() {
     let near = 2.417_370_5e35_f32;
     let points = [[0.0, 0.0], [near, near], [2.415_342_3e35, 3.094_234_3e37], [near, 2.406_012_4e35]];
     let zone = minimum_zone(&points);
-    assert!(matches!(zone, Err(CircleError::BetweenLines | CircleError::InLine)), "{zone:?}");
-    let fit = least_squares(&[[0.0, 0.0], [1e38, 1e36], [2e38_f32, 2.000_000_2e36]]);
-    assert!(matches!(fit, Err(CircleError::InLine)), "{fit:?}");
+    assert_eq!(zone, Err(CircleError::BetweenLines));
 }

@@ -131,7 +131,5 @@ fn finish<T: Real>(
         }
     };
     let radii = extremes(points, &centre);
-    // Far points so nearly in line that their circle is beyond what `T` holds.
-    let finite = T::all_finite(&[centre[0], centre[1], circle.radius, radii.0, radii.1]);
-    if finite { Ok(CircleFit { circle, scatter, radii }) } else { Err(CircleError::InLine) }
+    Ok(CircleFit { circle, scatter, radii })
 }
