@@ -1,5 +1,5 @@
 //! Any sequence of samples, merges and solves, in `f32` and `f64`: a status or a finite result, never a panic or a NaN, and
-//! a refused sample leaves no trace. `cargo +nightly fuzz run sequences`
+//! a refused sample leaves no trace.
 #![no_main]
 
 use arbitrary::Arbitrary;

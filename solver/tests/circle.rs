@@ -236,3 +236,12 @@ fn the_narrowest_of_several_zones() {
     let copies: Vec<_> = points.into_iter().chain(points).chain(points).collect();
     assert!((minimum_zone(&copies).unwrap().width() - zone.width()).abs() < 1e-12);
 }
+
+/// Found by fuzzing: far points, whose zone has its centre beyond all numbers.
+#[test]
+fn zones_beyond_numbers_are_refused() {
+    let near = 2.417_370_5e35_f32;
+    let points = [[0.0, 0.0], [near, near], [2.415_342_3e35, 3.094_234_3e37], [near, 2.406_012_4e35]];
+    let zone = minimum_zone(&points);
+    assert_eq!(zone, Err(CircleError::BetweenLines));
+}

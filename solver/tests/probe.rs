@@ -109,3 +109,13 @@ fn touches_without_an_offset_to_find() {
     assert_eq!(Reversal { x: [f64::NAN, 0.0], ..at }.exact(), Err(ProbeError::NotFinite));
     assert_eq!(Reversal { x: [500.0, 0.0], ..at }.exact(), Err(ProbeError::BeyondRing));
 }
+
+/// Found by fuzzing: the squares of these overflow.
+#[test]
+fn lengths_beyond_numbers_are_refused() {
+    let far = Reversal { radius: 1e200, ..reversal(OFFSET) };
+    assert_eq!(far.exact(), Err(ProbeError::NotFinite));
+    let touches: Vec<_> = (0..8).map(|k| touch(f64::from(k), f64::from(k % 2) * HALF_TURN, [0.0; 2])).collect();
+    assert!(offset(&touches, 1e-3).is_ok());
+    assert_eq!(offset(&touches, 1e200), Err(ProbeError::NotFinite));
+}

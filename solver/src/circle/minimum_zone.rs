@@ -12,15 +12,18 @@ use crate::Real;
 /// square of the number of points where they are near a circle, with its cube at worst.
 ///
 /// # Errors
-/// [`CircleError`]; [`CircleError::BetweenLines`] where the narrowest zone would have its centre at infinity.
+/// [`CircleError`]; [`CircleError::BetweenLines`] where the narrowest zone would have its centre at infinity, or beyond
+/// what `T` holds.
 pub fn minimum_zone<T: Real>(points: &[Point<T>]) -> Result<Zone<T>, CircleError> {
     let (origin, scale) = placed(points)?;
     let cloud = Cloud { points, origin, scale };
-    match least_squares(points) {
-        Ok(fit) if fit.roundness() <= slack(&fit) => Ok(round(&fit)),
-        Err(CircleError::InLine) => Err(CircleError::InLine),
-        _ => cloud.narrowest(),
-    }
+    let zone = match least_squares(points) {
+        Ok(fit) if fit.roundness() <= slack(&fit) => round(&fit),
+        Err(CircleError::InLine) => return Err(CircleError::InLine),
+        _ => cloud.narrowest()?,
+    };
+    let Zone { centre: [x, y], inner, outer, .. } = zone;
+    if T::all_finite(&[x, y, inner, outer]) { Ok(zone) } else { Err(CircleError::BetweenLines) }
 }
 
 /// What rounding leaves of radii.

@@ -23,7 +23,8 @@ impl<T: Real> Reversal<T> {
     /// places where these meet it is the one near zero.
     ///
     /// # Errors
-    /// [`ProbeError::NotFinite`], [`ProbeError::Radius`], [`ProbeError::BeyondRing`].
+    /// [`ProbeError::NotFinite`], also where a square of a length overflows; [`ProbeError::Radius`],
+    /// [`ProbeError::BeyondRing`].
     pub fn exact(&self) -> Result<[T; 2], ProbeError> {
         let [[ax, ay], [bx, by]] = self.checked()?;
         let half = T::of(0.5);
@@ -35,7 +36,8 @@ impl<T: Real> Reversal<T> {
             return Err(ProbeError::BeyondRing);
         }
         let share = height.sqrt() / apart;
-        Ok([half * (half * (ax + bx) - share * ey), half * (half * (ay + by) + share * ex)])
+        let offset = [half * (half * (ax + bx) - share * ey), half * (half * (ay + by) + share * ex)];
+        if T::all_finite(&offset) { Ok(offset) } else { Err(ProbeError::NotFinite) }
     }
 
     /// The offset (ox, oy), mm, as if cos θ2 = sin θ3 = 1, E(9): too small by o⊥²/ρ.

@@ -69,6 +69,9 @@ pub fn offset<T: Real>(touches: &[Touch<T>], sigma: T) -> Result<OffsetFit<T>, P
                 return Err(ProbeError::NotSeparated);
             }
             let covariance = unit.map(|v| v * sigma * sigma);
+            if !T::all_finite(covariance.as_slice()) {
+                return Err(ProbeError::NotFinite);
+            }
             let residual_std = factor.solve().ok().map(|fit| fit.residual_std);
             return Ok(OffsetFit { offset, centre, radius, covariance, residual_std });
         }
