@@ -114,7 +114,8 @@ pub fn design(
         weighed = weigh(&choices, &functions, &wanted, asked, 1.0)?;
     }
     let Weighed { pool, within, .. } = weighed;
-    let (mut proposals, mut hardly, mut over, mut refused) = (Vec::new(), Vec::new(), Vec::new(), None);
+    let (mut hardly, mut refused) = (Vec::new(), None);
+    let mut held = Held { functions: &functions, wanted: &wanted, asked, within: Vec::new(), over: Vec::new() };
     let mut tried = 0;
     fewest(&pool, &within, done, &mut |enough| {
         tried += 1;
@@ -122,29 +123,23 @@ pub fn design(
             Err(error) => {
                 refused.get_or_insert(error);
             }
-            Ok(mut proposal) => {
+            Ok(proposal) => {
                 let of = |f: &FunctionId| proposal.prediction.functions.iter().find(|p| p.function == *f);
                 let as_said = |f: &FunctionId| of(f).is_some_and(|p| p.told.extent == Extent::Determined);
                 if !determined || functions.iter().all(as_said) {
-                    let well = proposal.prediction.condition <= WELL;
-                    proposal.budgets = budgets(&proposal.setup, &functions, &asked.measured).unwrap_or_default();
-                    match proposal.beyond(&wanted) {
-                        beyond if beyond > 1.0 => over.push((beyond, proposal)),
-                        _ if well => proposals.push(proposal),
-                        _ => hardly.push(proposal),
+                    match proposal.prediction.condition <= WELL {
+                        true => held.take(proposal),
+                        false => hardly.push(proposal),
                     }
                 }
             }
         }
-        if proposals.len() > ALTERNATIVES || tried >= TRIED { Next::Enough } else { Next::More }
+        if held.within.len() > ALTERNATIVES || tried >= TRIED { Next::Enough } else { Next::More }
     });
     hardly.sort_by(|a, b| a.prediction.condition.total_cmp(&b.prediction.condition));
-    proposals.extend(hardly.into_iter().take((ALTERNATIVES + 1).saturating_sub(proposals.len())));
-    if proposals.is_empty() {
-        // All that is asked is more than the whole budget allows: the nearest to it.
-        over.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-        proposals.extend(over.into_iter().take(ALTERNATIVES + 1).map(|(_, proposal)| proposal));
-    }
+    let missing = (ALTERNATIVES + 1).saturating_sub(held.within.len());
+    hardly.into_iter().take(missing).for_each(|proposal| held.take(proposal));
+    let proposals = held.best();
     if let Some(error) = refused.filter(|_| proposals.is_empty()) {
         return Err(error);
     }
@@ -165,11 +160,33 @@ pub fn design(
     Ok(Design { choices: choices.runs, functions, proposals })
 }
 
-impl Proposal {
-    /// The largest of expanded uncertainties over what they may be (standard uncertainties, where anything is asked).
-    fn beyond(&self, wanted: &[Option<f64>]) -> f64 {
+/// Proposals, held to what is asked.
+struct Held<'a> {
+    functions: &'a [FunctionId],
+    /// Standard uncertainties, where anything is asked.
+    wanted: &'a [Option<f64>],
+    asked: &'a Asked,
+    /// Those that give it from all sources.
+    within: Vec<Proposal>,
+    /// Those that do not, with by how much they miss it.
+    over: Vec<(f64, Proposal)>,
+}
+
+impl Held<'_> {
+    fn take(&mut self, mut proposal: Proposal) {
+        proposal.budgets = budgets(&proposal.setup, self.functions, &self.asked.measured).unwrap_or_default();
         let share = |(own, wanted): (&Budgeted, &Option<f64>)| Some(own.measured / (COVERAGE_FACTOR * (*wanted)?));
-        self.budgets.iter().zip(wanted).filter_map(share).fold(0.0, f64::max)
+        let beyond = proposal.budgets.iter().zip(self.wanted).filter_map(share).fold(0.0, f64::max);
+        if beyond > 1.0 { self.over.push((beyond, proposal)) } else { self.within.push(proposal) }
+    }
+
+    /// Those within; where there is none, the nearest to it.
+    fn best(mut self) -> Vec<Proposal> {
+        if self.within.is_empty() {
+            self.over.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+            self.within.extend(self.over.into_iter().take(ALTERNATIVES + 1).map(|(_, proposal)| proposal));
+        }
+        self.within
     }
 }
 
