@@ -4,9 +4,11 @@
 pub const LINE: usize = 1 << 16;
 /// Lines of a file, comments and empty ones counted.
 pub const LINES: u64 = 10_000_000;
-/// Samples of all runs together that are fitted or simulated at once: each is kept until the report is made.
-pub const SAMPLES: usize = 1_000_000;
-/// Nodes of a table, touches of a ring.
-pub const NODES: usize = 100_000;
+/// Samples of all runs together that are fitted or simulated at once, as each is kept until the report is made; nodes of a table.
+pub const SAMPLES: usize = 300_000;
+/// Touches of a ring: the search for its minimum zone takes their number's third power.
+pub const TOUCHES: usize = 1_000;
+/// Bytes of a file that may be an earlier result.
+pub const RESULT: u64 = 1 << 26;
 /// Bytes of a text that is read as a whole: a model file, a machine file.
 pub const TEXT: usize = trunnion_codegen::limits::FILE;

@@ -67,7 +67,10 @@ impl Sweep {
     /// turns; where there are fewer than `least` angles, or more than [`SAMPLES`]; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least, most: SAMPLES })
+        Self::read_as(
+            file,
+            &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least, most: SAMPLES },
+        )
     }
 
     /// As [`Sweep::read`] with other columns, perhaps without a bar.

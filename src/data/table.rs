@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need};
-use super::limits::NODES;
+use super::limits::SAMPLES;
 use super::lines::Lines;
 use super::output::{WriteError, WriteProblem, write_atomically};
 use super::sweep::Sweep;
@@ -83,7 +83,7 @@ impl Table {
         let stated =
             stated.map(|(known, name)| Wanted { absent: Some(0.0), ..Wanted::new(name, deviation(known.quantity)) });
         let columns: Vec<Wanted> = wanted(angle, functions).into_iter().chain(stated).collect();
-        let mut nodes: Vec<Node> = Lines::open(file, &columns)?.all(NODES, Need::Interpolation, |line| {
+        let mut nodes: Vec<Node> = Lines::open(file, &columns)?.all(SAMPLES, Need::Interpolation, |line| {
             let (angle_rad, rest) = line.values.split_first()?;
             let (values, stds) = rest.split_at_checked(functions.len())?;
             Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), stds: stds.to_vec(), line: line.line })

@@ -1,5 +1,7 @@
 //! Sparse polynomials, sorted by monomial, with no zero coefficient: equal polynomials are equal values.
 
+use crate::limits::PAIRS;
+
 use super::rational::{self, integer};
 use super::{AlgebraError, Alphabet, ErrorId, MAX_ERROR_ORDER, Monomial, NominalId, Rational};
 
@@ -163,6 +165,9 @@ impl Poly {
 
     /// Appends the terms of `self · other` up to `order` errors to `out`, unsorted: the inner loop of every 4×4 product.
     pub(super) fn product_into(&self, other: &Self, order: Order, out: &mut Vec<Term>) -> Result<(), AlgebraError> {
+        if self.terms.len() * other.terms.len() > PAIRS {
+            return Err(AlgebraError::TooLong);
+        }
         for (ma, ca) in &self.terms {
             for (mb, cb) in &other.terms {
                 if let Some(m) = ma.times(mb, order.get())? {
@@ -175,7 +180,7 @@ impl Poly {
 
     /// Product without the terms of more than `order` errors, which are never formed.
     pub fn times(&self, other: &Self, order: Order) -> Result<Self, AlgebraError> {
-        let mut terms = Vec::with_capacity(self.terms.len() * other.terms.len());
+        let mut terms = Vec::with_capacity(PAIRS.min(self.terms.len() * other.terms.len()));
         self.product_into(other, order, &mut terms)?;
         Self::from_terms(terms)
     }

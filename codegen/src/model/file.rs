@@ -3,6 +3,7 @@
 use super::draft::{
     Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,
 };
+use super::size::excess;
 use super::{AxisKind, Model, Problem, ProblemKind};
 use crate::limits::FILE;
 use crate::source::{Span, Text};
@@ -14,6 +15,11 @@ pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
     let table = table(source)?;
     let mut reader = Reader { problems: Vec::new() };
     let draft = reader.draft(table.get_ref());
+    // Of what is too much, everything else may be wrong as well.
+    let excess = excess(&draft);
+    if !excess.is_empty() {
+        return Err(excess);
+    }
     let mut problems = reader.problems;
     let built = draft.build();
     if problems.is_empty() {

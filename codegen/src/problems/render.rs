@@ -1,7 +1,7 @@
 //! Problems as messages: the line, a pointer, what would have been right.
 
-use crate::model::Problem;
 use crate::limits::{PROBLEMS, SHOWN};
+use crate::model::Problem;
 use crate::source::{Span, in_place, shown};
 use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
 
@@ -71,8 +71,7 @@ fn in_long_line(source: &str, span: &Span) -> Option<Place> {
     let skipped = before.saturating_sub(SHOWN / 4);
     let first = source[start..].lines().next().unwrap_or_default();
     let part: String = first.chars().skip(skipped).take(SHOWN).collect();
-    let [cut, more] =
-        [skipped > 0, first.chars().nth(skipped + SHOWN).is_some()].map(|cut| if cut { "…" } else { "" });
+    let [cut, more] = [skipped > 0, first.chars().nth(skipped + SHOWN).is_some()].map(|cut| if cut { "…" } else { "" });
     let line = source[..start].matches('\n').count() + 1;
     Some(Place { line, column: before + 1, excerpt: format!("{cut}{part}{more}") })
 }

@@ -105,7 +105,9 @@ pub enum FileProblem {
         encoding: Encoding,
     },
     /// A line, or a field in quotes that goes over several, of more than [`LINE`] bytes.
-    #[error("a line of more than {LINE} bytes\n  expected a line for each sample: is this a CSV file, and every quote closed?")]
+    #[error(
+        "a line of more than {LINE} bytes\n  expected a line for each sample: is this a CSV file, and every quote closed?"
+    )]
     LongLine {
         /// The line it begins on.
         line: u64,
@@ -282,7 +284,9 @@ impl fmt::Display for FileError {
                     rest => write!(f, "\n… and {rest} more"),
                 }
             }
-            FileProblem::NotUtf8 { line, .. } | FileProblem::LongLine { line } | FileProblem::Separator { line, .. } => {
+            FileProblem::NotUtf8 { line, .. }
+            | FileProblem::LongLine { line }
+            | FileProblem::Separator { line, .. } => {
                 write!(f, "{file}:{line}: {}", self.problem)
             }
             _ => write!(f, "{file}: {}", self.problem),
