@@ -71,8 +71,8 @@ fn main() -> ExitCode {
 
 /// Help, the version, or what is wrong with the arguments.
 fn shown(told: &clap::Error) -> ExitCode {
-    // In colours, if nothing that is quoted could pass for one.
-    if told.use_stderr() && std::env::args().any(|given| seen(&given) != given) {
+    // In colours, if nothing that is quoted could pass for one or fill the terminal.
+    if told.use_stderr() && std::env::args_os().any(|given| given.to_str().is_none_or(|given| seen(given) != given)) {
         say(format_args!("{}", seen(&told.to_string())));
         return ExitCode::from(2);
     }

@@ -10,9 +10,11 @@
 //! `mod my_table { include!(concat!(env!("OUT_DIR"), "/my-table.rs")); }`.
 
 use crate::emit::rust::Support;
+use crate::limits::FILE;
 use crate::problems::{Colour, read_and_derive, render};
 use crate::{catalogue, emit};
 use core::fmt;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -40,7 +42,11 @@ impl std::error::Error for Failed {}
 pub fn model(path: impl AsRef<Path>) -> Result<(), Failed> {
     let path = path.as_ref();
     println!("cargo::rerun-if-changed={}", path.display());
-    let source = fs::read_to_string(path).map_err(|e| Failed(format!("{}: {e}", path.display())))?;
+    // One byte beyond the limit is as good as all of them: the file is refused.
+    let beyond = u64::try_from(FILE).map_or(u64::MAX, |most| most + 1);
+    let mut source = String::new();
+    let read = fs::File::open(path).and_then(|file| file.take(beyond).read_to_string(&mut source));
+    read.map_err(|e| Failed(format!("{}: {e}", path.display())))?;
     write(&module(&path.display().to_string(), &source)?, path)
 }
 

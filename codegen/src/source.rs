@@ -1,5 +1,6 @@
 //! Texts and where they stand.
 
+use crate::limits::SHOWN;
 use core::ops::Range;
 use std::borrow::Cow;
 
@@ -47,6 +48,15 @@ pub fn visible(text: &str) -> Cow<'_, str> {
             if is_unseen(c) { text + &c.escape_default().to_string() } else { text + c.encode_utf8(&mut [0; 4]) }
         })
         .into()
+}
+
+/// What a message shows of a text: all of it made visible, or its beginning.
+#[must_use]
+pub fn shown(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(SHOWN) {
+        None => visible(text),
+        Some((end, _)) => format!("{}…", visible(&text[..end])).into(),
+    }
 }
 
 /// A text of the same length and the same lines in which everything is seen: places in it stay what they are.

@@ -23,7 +23,7 @@ pub struct MonteCarloArguments {
     #[command(flatten)]
     simulation: SimulationArguments,
     /// Number of machines.
-    #[arg(long, default_value_t = 2000, value_parser = number::count::<1, 10_000_000>, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 2000, value_parser = number::count::<1, 100_000>, allow_negative_numbers = true)]
     trials: u32,
     /// Only this estimator.
     #[arg(long, value_enum)]

@@ -67,6 +67,8 @@ pub enum Refused {
     Within(String, usize),
     #[error("{}", design(.0))]
     Design(#[from] DesignError),
+    #[error("--samples {0}: too many\n  expected at most {1} for each of {2} runs")]
+    Samples(u32, usize, usize),
     #[error("--{0} {1}: {2}")]
     Option(&'static str, String, &'static str),
 }

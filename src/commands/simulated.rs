@@ -5,6 +5,7 @@ use super::model::ModelArguments;
 use super::number;
 use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
+use trunnion::data::limits::SAMPLES;
 use trunnion::study::{Setup, Simulation};
 
 /// What is simulated.
@@ -14,7 +15,7 @@ pub struct SimulationArguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Samples of each run.
-    #[arg(long, default_value_t = 360, value_parser = number::count::<1, 10_000_000>, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 360, value_parser = number::count::<1, { SAMPLES as u32 }>, allow_negative_numbers = true)]
     samples: u32,
     /// Half width of the uniform noise of the readings, µm.
     #[arg(long, default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
@@ -44,6 +45,10 @@ impl SimulationArguments {
             ));
         }
         let setup = model.setup(|model| self.ranges.apply(model))?;
+        let runs = setup.model.runs.len();
+        if self.samples as usize * runs > SAMPLES {
+            return Err(Refused::Samples(self.samples, SAMPLES / runs.max(1), runs));
+        }
         let (limits, range_deg) = (self.limits.limits(&setup), (from, to));
         let &Self { seed, samples, noise_um, .. } = self;
         let simulation = Simulation { seed, samples: samples as usize, noise_um, limits, range_deg };

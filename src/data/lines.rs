@@ -6,7 +6,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use super::columns::{Column, Wanted, listed, resolve};
-use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Separator};
+use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need, Separator};
 use super::records::{Record, Records};
 use trunnion_codegen::quantity::Unit;
 
@@ -59,16 +59,25 @@ impl Lines {
         &self.file
     }
 
-    /// All lines at once, or every bad one.
-    pub fn all(self) -> Result<Vec<Line>, FileError> {
-        self.collect()
+    /// All lines at once, or every bad one; `most` of what they are can be kept.
+    pub fn all<T>(self, most: usize, of: Need, keep: impl Fn(Line) -> Option<T>) -> Result<Vec<T>, FileError> {
+        let file = self.file.clone();
+        let mut kept = Vec::new();
+        for line in self {
+            let line = line?;
+            if kept.len() == most {
+                return Err(FileError { file, problem: FileProblem::TooMany { most, of } });
+            }
+            kept.extend(keep(line));
+        }
+        Ok(kept)
     }
 
     /// Every bad line from the first one on.
-    fn bad_lines(&mut self, first: LineProblem) -> Result<Vec<LineProblem>, FileError> {
-        let mut bad = vec![first];
+    fn bad_lines(&mut self, first: LineProblem) -> Result<BadLines, FileError> {
+        let mut bad = BadLines::new(first);
         while let Some(line) = self.next_line()? {
-            bad.extend(line.err());
+            line.err().into_iter().for_each(|problem| bad.add(problem));
         }
         Ok(bad)
     }

@@ -9,6 +9,7 @@
 
 mod columns;
 mod error;
+pub mod limits;
 mod lines;
 mod output;
 mod radius;
@@ -22,8 +23,8 @@ mod truth;
 mod written;
 
 pub(crate) use columns::Wanted;
-pub use error::{FieldProblem, FileError, FileProblem, HeaderProblem, LineProblem, Need, Separator};
-pub(crate) use lines::Lines;
+pub use error::{BadLines, FieldProblem, FileError, FileProblem, HeaderProblem, LineProblem, Need, Separator};
+pub(crate) use lines::{Line, Lines};
 pub use output::{Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture};
 pub use radius::{Radius, RadiusError};
 pub use runs::{ObservationsError, RunFiles, observations};

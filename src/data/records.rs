@@ -5,6 +5,7 @@ use std::io::{BufRead, BufReader, Read};
 use csv_core::ReadRecordResult;
 
 use super::error::FileProblem;
+use super::limits::{LINE, LINES};
 use super::text::Encoding;
 
 /// Bytes read at once.
@@ -75,8 +76,12 @@ impl Records {
     /// Divides the line taken, and those that a quote leads on to; the number of its fields.
     fn divide(&mut self) -> Result<usize, FileProblem> {
         let (mut written, mut count) = (0, 0);
+        let first = self.taken;
         loop {
             self.raw.push(b'\n');
+            if written + self.raw.len() > LINE {
+                return Err(FileProblem::LongLine { line: first });
+            }
             self.text.resize(written + self.raw.len(), 0);
             self.ends.resize(count + self.raw.len(), 0);
             let (text, ends) = (&mut self.text[written..], &mut self.ends[count..]);
@@ -95,6 +100,9 @@ impl Records {
 
     /// Takes a line from the source; false at its end. Lines end with LF, CR or both.
     fn take_line(&mut self) -> Result<bool, FileProblem> {
+        if self.taken == LINES {
+            return Err(FileProblem::ManyLines);
+        }
         self.raw.clear();
         let mut ended = false;
         while !ended {
@@ -107,6 +115,9 @@ impl Records {
             self.raw.extend_from_slice(&block[..end.unwrap_or(block.len())]);
             let used = end.map_or(block.len(), |at| at + 1);
             self.source.consume(used);
+            if self.raw.len() >= LINE {
+                return Err(FileProblem::LongLine { line: self.taken + 1 });
+            }
             if carriage && self.source.fill_buf()?.first() == Some(&b'\n') {
                 self.source.consume(1);
             }

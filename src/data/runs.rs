@@ -1,6 +1,7 @@
 //! From the files of a measurement to what is fitted.
 
 use super::error::FileError;
+use super::limits::SAMPLES;
 use super::sweep::{RunColumns, Sweep};
 use super::table::{Known, Table, TableValues};
 use crate::study::{Observation, Sample, Setup};
@@ -99,13 +100,18 @@ impl RunFiles {
         self.0.iter().filter(move |(own, _)| *own == run).map(|(_, source)| source.file.as_path())
     }
 
-    /// Reads every run, each with weight 1; the known functions are those of the table, or zero without one.
+    /// Reads every run, [`SAMPLES`] in all at most, each with weight 1; the known functions are those of the table, or zero without one.
     ///
     /// # Errors
     /// [`ObservationsError`] for a file that cannot be used, or a known function that no table can give.
     pub fn read(&self, setup: &Setup, table: Option<&Path>) -> Result<Vec<Observation>, ObservationsError> {
         let table = table.map(|file| KnownTable::read(setup, file)).transpose()?;
-        self.0.iter().map(|(run, source)| observation(setup, *run, source, table.as_ref())).collect()
+        let mut read: Vec<Observation> = Vec::with_capacity(self.0.len());
+        for (run, source) in &self.0 {
+            let before: usize = read.iter().map(|observation| observation.samples.len()).sum();
+            read.push(observation(setup, *run, source, SAMPLES - before, table.as_ref())?);
+        }
+        Ok(read)
     }
 }
 
@@ -126,6 +132,7 @@ fn observation(
     setup: &Setup,
     run: RunId,
     source: &Source,
+    most: usize,
     table: Option<&KnownTable>,
 ) -> Result<Observation, ObservationsError> {
     let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
@@ -139,6 +146,7 @@ fn observation(
         others: &others,
         bar_mm: setup.bar(run),
         least: derived.regressors.len() + 1,
+        most,
     };
     let sweep = Sweep::read_as(&source.file, &expected)?;
     let known = match table.filter(|_| !derived.known.is_empty()) {

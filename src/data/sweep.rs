@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use super::columns::{SWEEP, Wanted, deviation};
-use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
+use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need};
+use super::limits::SAMPLES;
 use super::lines::Lines;
 use super::output::{WriteError, WriteProblem, write_atomically};
 use super::radius::Radius;
@@ -52,6 +53,8 @@ pub(super) struct RunColumns<'a> {
     pub bar_mm: Option<f64>,
     /// Samples needed.
     pub least: usize,
+    /// Samples that can be kept.
+    pub most: usize,
 }
 
 impl Sweep {
@@ -61,15 +64,18 @@ impl Sweep {
     ///
     /// # Errors
     /// [`FileError`] where the file cannot be read or is no such file; where an angle is beyond ten
-    /// turns; where there are fewer than `least` angles; where the readings are absolute lengths or
+    /// turns; where there are fewer than `least` angles, or more than [`SAMPLES`]; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least })
+        Self::read_as(
+            file,
+            &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least, most: SAMPLES },
+        )
     }
 
     /// As [`Sweep::read`] with other columns, perhaps without a bar.
     pub(super) fn read_as(file: &Path, expected: &RunColumns) -> Result<Self, FileError> {
-        let RunColumns { angle, reading, others, bar_mm, least } = *expected;
+        let RunColumns { angle, reading, others, bar_mm, least, most } = *expected;
         let length = |name| Wanted::new(name, deviation(Quantity::Length));
         let wanted: Vec<Wanted> = [Wanted::new(angle, SWEEP), length(reading)]
             .into_iter()
@@ -78,14 +84,10 @@ impl Sweep {
         let lines = Lines::open(file, &wanted)?;
         let mut names = lines.columns().iter().map(|column| column.name().to_owned());
         let names = [names.next(), names.next()].map(Option::unwrap_or_default);
-        let samples: Vec<SweepSample> = lines
-            .all()?
-            .iter()
-            .filter_map(|line| match line.values.as_slice() {
-                [angle, reading, ..] => Some(SweepSample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
-                _ => None,
-            })
-            .collect();
+        let samples: Vec<SweepSample> = lines.all(most, Need::Coefficients, |line| match line.values.as_slice() {
+            [angle, reading, ..] => Some(SweepSample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
+            _ => None,
+        })?;
         match check(&samples, bar_mm, least, names) {
             Some(problem) => Err(FileError { file: file.to_owned(), problem }),
             None => Ok(Self { file: file.to_owned(), samples }),
@@ -158,8 +160,7 @@ fn check(
         let stray = samples.iter().filter(|sample| sample.reading_mm.abs() > BEYOND_STROKE_MM).map(|sample| {
             LineProblem { line: sample.line, problem: FieldProblem::BeyondStroke { reading_mm: sample.reading_mm } }
         });
-        let stray: Vec<LineProblem> = stray.collect();
-        (!stray.is_empty()).then_some(FileProblem::Lines(stray))
+        BadLines::of(stray).map(FileProblem::Lines)
     } else {
         let near = |mm: &f64| (median_mm - mm).abs() <= BEYOND_STROKE_MM.max(mm / 100.0);
         Some(match bar_mm.filter(near) {

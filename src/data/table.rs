@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use super::columns::{SWEEP, Wanted, deviation};
-use super::error::{FieldProblem, FileError, FileProblem, LineProblem, Need};
+use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need};
+use super::limits::SAMPLES;
 use super::lines::Lines;
 use super::output::{WriteError, WriteProblem, write_atomically};
 use super::sweep::Sweep;
@@ -82,19 +83,15 @@ impl Table {
         let stated =
             stated.map(|(known, name)| Wanted { absent: Some(0.0), ..Wanted::new(name, deviation(known.quantity)) });
         let columns: Vec<Wanted> = wanted(angle, functions).into_iter().chain(stated).collect();
-        let mut nodes: Vec<Node> = Lines::open(file, &columns)?
-            .all()?
-            .into_iter()
-            .filter_map(|line| {
-                let (angle_rad, rest) = line.values.split_first()?;
-                let (values, stds) = rest.split_at_checked(functions.len())?;
-                Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), stds: stds.to_vec(), line: line.line })
-            })
-            .collect();
+        let mut nodes: Vec<Node> = Lines::open(file, &columns)?.all(SAMPLES, Need::Interpolation, |line| {
+            let (angle_rad, rest) = line.values.split_first()?;
+            let (values, stds) = rest.split_at_checked(functions.len())?;
+            Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), stds: stds.to_vec(), line: line.line })
+        })?;
         nodes.sort_by(|a, b| a.angle_rad.total_cmp(&b.angle_rad));
         let fail = |problem| FileError { file: file.to_owned(), problem };
         let bad = [contradictions(&nodes, functions), negative(&nodes, &uncertain)].concat();
-        if !bad.is_empty() {
+        if let Some(bad) = BadLines::of(bad.into_iter()) {
             return Err(fail(FileProblem::Lines(bad)));
         }
         nodes.dedup_by(|a, b| a.angle_rad == b.angle_rad);

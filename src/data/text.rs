@@ -1,10 +1,12 @@
 //! Text files, in whatever encoding people's editors write them.
 
-use std::fs;
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
 use thiserror::Error;
+
+use super::limits::TEXT;
 
 /// Why a file is no text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -13,6 +15,9 @@ pub enum TextError {
     /// The operating system refuses.
     #[error("cannot be read: {0}")]
     Unreadable(io::ErrorKind),
+    /// More than [`TEXT`] bytes.
+    #[error("more than {TEXT} bytes\n  expected a text that a person wrote: is this the right file?")]
+    TooLong,
     /// An encoding that is not read, with the line of the first character that is not ASCII.
     #[error("line {line}: not UTF-8 text but {encoding}\n  save the file as plain text in UTF-8")]
     Encoding {
@@ -50,7 +55,12 @@ impl Encoding {
 /// # Errors
 /// [`TextError`]
 pub fn read_text(file: &Path) -> Result<String, TextError> {
-    let bytes = fs::read(file).map_err(|e| TextError::Unreadable(e.kind()))?;
+    let mut bytes = Vec::new();
+    let read = File::open(file).and_then(|file| file.take(TEXT as u64 + 1).read_to_end(&mut bytes));
+    read.map_err(|e| TextError::Unreadable(e.kind()))?;
+    if bytes.len() > TEXT {
+        return Err(TextError::TooLong);
+    }
     if let Some(encoding) = Encoding::of(&bytes) {
         let good = str::from_utf8(&bytes).map_or_else(|e| e.valid_up_to(), |_| 0);
         let line = 1 + bytes.iter().take(good).filter(|byte| **byte == b'\n').count();

@@ -1,7 +1,8 @@
 //! Files of poses, joints and touches. Lines are read one at a time, in constant memory; `-` is standard input.
 
 use super::PointError;
-use crate::data::{FileError, FileProblem, Lines, Need, Unit, Wanted};
+use crate::data::limits::TOUCHES;
+use crate::data::{FileError, FileProblem, Line, Lines, Need, Unit, Wanted};
 use std::path::{Path, PathBuf};
 use trunnion_solver::circle::CircleError;
 use trunnion_solver::probe::ProbeError;
@@ -97,14 +98,14 @@ impl<const N: usize> Iterator for Rows<N> {
     }
 }
 
-/// Reads at least `least` touches: `x_mm,y_mm,z_mm,spindle_deg`; a spindle angle that may be absent is then 0.
+/// Reads at least `least` touches, at most [`TOUCHES`]: `x_mm,y_mm,z_mm,spindle_deg`; a spindle angle that may be absent is then 0.
 pub(super) fn touches(file: &Path, spindle: Option<f64>, least: usize) -> Result<Vec<TouchLine>, FileError> {
     let wanted = [mm("x"), mm("y"), mm("z"), Wanted { absent: spindle, ..deg("spindle") }];
-    let touch = |row: (u64, [f64; 4])| {
-        let (line, [x, y, z, spindle]) = row;
-        TouchLine { line, position: [x, y, z], spindle }
+    let touch = |Line { line, values }: Line| match *values.as_slice() {
+        [x, y, z, spindle] => Some(TouchLine { line, position: [x, y, z], spindle }),
+        _ => None,
     };
-    let touches = Rows::open(file, wanted)?.map(|row| row.map(touch)).collect::<Result<Vec<_>, _>>()?;
+    let touches = Lines::open(file, &wanted)?.all(TOUCHES, Need::Touches, touch)?;
     match touches.len() >= least {
         true => Ok(touches),
         false => {

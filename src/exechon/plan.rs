@@ -84,6 +84,9 @@ pub fn plan(
     Ok(touches)
 }
 
+/// Touches of a feature: a day's work of a machine.
+const MOST_TOUCHES: u64 = 10_000;
+
 fn check(feature: &Feature, ball: f64, clearance: f64) -> Result<(), PlanError> {
     let positive = |value: f64, name| match value > 0.0 && value.is_finite() {
         true => Ok(()),
@@ -105,9 +108,15 @@ fn check(feature: &Feature, ball: f64, clearance: f64) -> Result<(), PlanError> 
         }
     };
     positive(size, "the feature's size")?;
-    match touches >= least {
-        true => Ok(()),
-        false => Err(PlanError::Number("the number of touches", "at least 3 on a circle, 2 on a side")),
+    let all = match *feature {
+        Feature::Ring { touches, .. } => u64::from(touches),
+        Feature::Plane { touches, .. } => u64::from(touches).pow(2),
+        Feature::Sphere { touches, rings, .. } => u64::from(touches) * u64::from(rings),
+    };
+    match touches {
+        _ if touches < least => Err(PlanError::Number("the number of touches", "at least 3 on a circle, 2 on a side")),
+        _ if all > MOST_TOUCHES => Err(PlanError::Number("the number of touches", "at most 10000 in all")),
+        _ => Ok(()),
     }
 }
 

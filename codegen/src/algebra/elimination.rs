@@ -6,6 +6,7 @@
 use super::fraction::{by_root2, conjugate, lowest};
 use super::gcd::{exact, gcd};
 use super::{AlgebraError, Alphabet, Fraction, Monomial, Order, Poly, Rational, rational};
+use crate::limits::ELIMINATION;
 use typed_index_collections::{TiSlice, TiVec};
 
 /// A row of a matrix, or a vector with an entry for each of its columns `C`.
@@ -93,12 +94,9 @@ fn content<'a>(polys: impl IntoIterator<Item = &'a Poly>) -> Rational {
 struct Work(usize);
 
 impl Work {
-    /// A dozen times what the catalogue's largest searches need, and some ten seconds.
-    const MOST: usize = 10_000_000;
-
     fn add(&mut self, a: &Poly, b: &Poly) -> Result<(), AlgebraError> {
         self.0 += a.terms().len() * b.terms().len();
-        if self.0 > Self::MOST { Err(AlgebraError::TooLong) } else { Ok(()) }
+        if self.0 > ELIMINATION { Err(AlgebraError::TooLong) } else { Ok(()) }
     }
 }
 

@@ -1,28 +1,9 @@
 //! Sparse polynomials, sorted by monomial, with no zero coefficient: equal polynomials are equal values.
 
+use crate::limits::PAIRS;
+
 use super::rational::{self, integer};
-use super::{AlgebraError, Alphabet, ErrorId, MAX_ERROR_ORDER, Monomial, NominalId, Rational};
-
-/// How many errors a term may multiply; higher terms are never formed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Order(u8);
-
-impl Order {
-    /// Order 0: nominal values only.
-    pub const NOMINAL: Self = Self(0);
-    /// Order 1: the linear model.
-    pub const LINEAR: Self = Self(1);
-
-    /// Any order up to [`MAX_ERROR_ORDER`].
-    pub fn new(order: usize) -> Result<Self, AlgebraError> {
-        if order > MAX_ERROR_ORDER { Err(AlgebraError::OrderTooHigh) } else { Ok(Self(order as u8)) }
-    }
-
-    /// The number of errors.
-    pub fn get(self) -> usize {
-        usize::from(self.0)
-    }
-}
+use super::{AlgebraError, Alphabet, ErrorId, MAX_ERROR_ORDER, Monomial, NominalId, Order, Rational};
 
 /// A coefficient and its monomial.
 pub type Term = (Monomial, Rational);
@@ -163,6 +144,9 @@ impl Poly {
 
     /// Appends the terms of `self · other` up to `order` errors to `out`, unsorted: the inner loop of every 4×4 product.
     pub(super) fn product_into(&self, other: &Self, order: Order, out: &mut Vec<Term>) -> Result<(), AlgebraError> {
+        if self.terms.len() * other.terms.len() > PAIRS {
+            return Err(AlgebraError::TooLong);
+        }
         for (ma, ca) in &self.terms {
             for (mb, cb) in &other.terms {
                 if let Some(m) = ma.times(mb, order.get())? {
@@ -175,7 +159,7 @@ impl Poly {
 
     /// Product without the terms of more than `order` errors, which are never formed.
     pub fn times(&self, other: &Self, order: Order) -> Result<Self, AlgebraError> {
-        let mut terms = Vec::with_capacity(self.terms.len() * other.terms.len());
+        let mut terms = Vec::with_capacity(PAIRS.min(self.terms.len() * other.terms.len()));
         self.product_into(other, order, &mut terms)?;
         Self::from_terms(terms)
     }
@@ -196,7 +180,7 @@ impl Poly {
                 let square = Self::from_terms(root.of.clone())?;
                 let lowered = high.into_iter().map(|(m, c)| (m.with_exponent(id, m.exponent(id) - 2), c));
                 let lowered = Self::from_terms(lowered.collect())?;
-                low.extend(lowered.times(&square, Order(MAX_ERROR_ORDER as u8))?.terms);
+                low.extend(lowered.times(&square, Order::MOST)?.terms);
                 p = Self::from_terms(low)?;
             }
         }
@@ -224,7 +208,7 @@ impl Poly {
     /// Whether it is zero along every path, whatever it divides by.
     pub fn vanishes(&self, alphabet: &Alphabet) -> Result<bool, AlgebraError> {
         Ok(self
-            .times(&Self::term(Self::divisor([self], alphabet), integer(1)), Order(MAX_ERROR_ORDER as u8))?
+            .times(&Self::term(Self::divisor([self], alphabet), integer(1)), Order::MOST)?
             .normal(alphabet)?
             .is_zero())
     }

@@ -19,9 +19,12 @@ impl Univariate {
 
     /// The value at `x`, products left as they stand: `(R c)²` becomes `R² c²`, not `R² (1 − s²)`.
     pub fn at(&self, x: &Poly) -> Result<Poly, AlgebraError> {
-        let mut sum = Poly::ZERO;
-        for (n, coefficient) in self.0.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
-            sum = sum.plus(&coefficient.times(&x.power(n as u32, Order::NOMINAL)?, Order::NOMINAL)?)?;
+        let (mut sum, mut power) = (Poly::ZERO, Poly::one());
+        for (n, coefficient) in self.0.iter().enumerate() {
+            if n > 0 {
+                power = power.times(x, Order::NOMINAL)?;
+            }
+            sum = sum.plus(&coefficient.times(&power, Order::NOMINAL)?)?;
         }
         Ok(sum)
     }

@@ -2,6 +2,7 @@
 
 use super::{Expr, ExprKind, Operator};
 use crate::algebra::{AlgebraError, Alphabet, Angle, Monomial, Order, Poly, Rational, SweepId};
+use crate::limits::{PRODUCTS, TERMS};
 use crate::source::Span;
 
 /// What is wrong with a well-formed expression.
@@ -20,6 +21,8 @@ pub enum Meaning {
     Exponent,
     /// A square root other than of 2·n² or n².
     Root,
+    /// A part with more than [`TERMS`] terms, or more than [`PRODUCTS`] products of two on the way to it.
+    TooManyTerms,
     /// An exact computation failed.
     Algebra(AlgebraError),
 }
@@ -35,6 +38,7 @@ impl core::fmt::Display for Meaning {
             Self::Root => {
                 f.write_str("only square roots of n² and 2n² are exact here; one of a sum stands alone under `define`")
             }
+            Self::TooManyTerms => write!(f, "more than {TERMS} terms when it is multiplied out"),
             Self::Algebra(e) => core::fmt::Display::fmt(e, f),
         }
     }
@@ -59,6 +63,11 @@ pub struct Scope<'a> {
 impl Scope<'_> {
     /// Value of an expression.
     pub fn poly(&self, e: &Expr) -> Result<Poly, EvaluationError> {
+        let value = self.value(e)?;
+        if value.terms().len() > TERMS { Err((e.span.clone(), Meaning::TooManyTerms)) } else { Ok(value) }
+    }
+
+    fn value(&self, e: &Expr) -> Result<Poly, EvaluationError> {
         let exact = |r: Result<Poly, AlgebraError>| r.map_err(|a| (e.span.clone(), Meaning::Algebra(a)));
         let fail = |m: Meaning| Err((e.span.clone(), m));
         match &e.node {
@@ -67,7 +76,10 @@ impl Scope<'_> {
             ExprKind::Negative(x) => Ok(self.poly(x)?.negated()),
             ExprKind::Binary(Operator::Power, x, n) => {
                 match self.poly(n)?.as_number().and_then(|n| n.to_integer()).map(u32::try_from) {
-                    Some(Ok(n)) if n <= 20 => exact(self.poly(x)?.power(n, Order::NOMINAL)),
+                    Some(Ok(n)) if n <= 20 => {
+                        let x = self.poly(x)?;
+                        (0..n).try_fold(Poly::one(), |power, _| product(e, &power, &x))
+                    }
                     _ => Err((n.span.clone(), Meaning::Exponent)),
                 }
             }
@@ -84,7 +96,7 @@ impl Scope<'_> {
                         }
                         _ => Err((divisor.clone(), Meaning::Divisor)),
                     },
-                    _ => exact(x.times(&y, Order::NOMINAL)),
+                    _ => product(e, &x, &y),
                 }
             }
             ExprKind::Call(name, 0, argument) => match name.as_str() {
@@ -141,6 +153,18 @@ impl Scope<'_> {
     }
 }
 
+/// A product that is the value of an expression, or a step to it.
+fn product(e: &Expr, x: &Poly, y: &Poly) -> Result<Poly, EvaluationError> {
+    let meaning = match x.terms().len() * y.terms().len() {
+        0..=PRODUCTS => match x.times(y, Order::NOMINAL) {
+            Ok(product) => return Ok(product),
+            Err(e) => Meaning::Algebra(e),
+        },
+        _ => Meaning::TooManyTerms,
+    };
+    Err((e.span.clone(), meaning))
+}
+
 /// √(n/d) as a rational or a rational times √2.
 fn root(square: Rational) -> Option<Poly> {
     match square.sqrt() {
@@ -178,6 +202,7 @@ mod tests {
         assert_eq!(value("R/(1+R)").unwrap_err().1, Meaning::Divisor);
         assert_eq!(value("R**a").unwrap_err().1, Meaning::Exponent);
         assert_eq!(value("q").unwrap_err(), (0..1, Meaning::UnknownName("q".into())));
+        assert_eq!(value("((1+R)*(1+a)*(1+sin(a))*(1+cos(a)))**20").unwrap_err().1, Meaning::TooManyTerms);
         assert_eq!(value("R/0").unwrap_err().1, Meaning::Algebra(AlgebraError::DivisionByZero));
     }
 }

@@ -1,11 +1,12 @@
 //! From a text to an expression.
 
 use super::{Expected, Expr, ExprKind, Operator, SyntaxError};
+use crate::limits::{NESTING, OPERATORS};
 use crate::source::Span;
 
 /// Parses a whole text.
 pub fn parse(text: &str) -> Result<Expr, SyntaxError> {
-    let mut parser = Parser { text, at: 0, depth: 0 };
+    let mut parser = Parser { text, at: 0, depth: 0, operators: 0 };
     let expr = parser.sum()?;
     parser.blanks();
     if parser.at < text.len() { Err(parser.error(Expected::Operator)) } else { Ok(expr) }
@@ -29,7 +30,8 @@ fn shift(span: Span, by: usize) -> Span {
 struct Parser<'a> {
     text: &'a str,
     at: usize,
-    depth: u32,
+    depth: usize,
+    operators: usize,
 }
 
 impl Parser<'_> {
@@ -67,7 +69,7 @@ impl Parser<'_> {
                 () if self.take("-") => Operator::Minus,
                 () => return Ok(left),
             };
-            left = binary(operator, left, self.product()?);
+            left = self.binary(operator, left, Self::product)?;
         }
     }
 
@@ -79,13 +81,29 @@ impl Parser<'_> {
                 () if self.take("/") => Operator::Over,
                 () => return Ok(left),
             };
-            left = binary(operator, left, self.signed()?);
+            left = self.binary(operator, left, Self::signed)?;
         }
+    }
+
+    /// With the operand on the right. As many operators as there are may be the depth of the tree.
+    fn binary(
+        &mut self,
+        operator: Operator,
+        left: Expr,
+        right: fn(&mut Self) -> Result<Expr, SyntaxError>,
+    ) -> Result<Expr, SyntaxError> {
+        self.operators += 1;
+        if self.operators > OPERATORS {
+            return Err(self.error(Expected::FewerOperators));
+        }
+        let right = right(self)?;
+        let span = left.span.start..right.span.end;
+        Ok(Expr { node: ExprKind::Binary(operator, Box::new(left), Box::new(right)), span })
     }
 
     fn signed(&mut self) -> Result<Expr, SyntaxError> {
         self.depth += 1;
-        if self.depth > 100 {
+        if self.depth > NESTING {
             return Err(self.error(Expected::ShallowerNesting));
         }
         self.blanks();
@@ -104,8 +122,7 @@ impl Parser<'_> {
     fn power(&mut self) -> Result<Expr, SyntaxError> {
         let base = self.operand()?;
         if self.take("**") || self.take("^") {
-            let exponent = self.signed()?;
-            return Ok(binary(Operator::Power, base, exponent));
+            return self.binary(Operator::Power, base, Self::signed);
         }
         Ok(base)
     }
@@ -178,11 +195,6 @@ impl Parser<'_> {
     }
 }
 
-fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
-    let span = left.span.start..right.span.end;
-    Expr { node: ExprKind::Binary(operator, Box::new(left), Box::new(right)), span }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -204,6 +216,9 @@ mod tests {
         assert_eq!(at("R cos"), (2, Expected::Operator));
         assert_eq!(at("f'"), (2, Expected::Operand));
         assert_eq!(at(&"(".repeat(200)), (99 + 1, Expected::ShallowerNesting));
+        let sum = |operators: usize| parse(&("R".to_owned() + &"+R".repeat(operators)));
+        assert!(sum(OPERATORS).is_ok());
+        assert_eq!(sum(17_000).unwrap_err().expected, Expected::FewerOperators);
         assert_eq!(parse_equation("f(0)").unwrap_err().expected, Expected::Equation);
         assert_eq!(parse_equation("f(0) = g(").unwrap_err().span, 9..9);
     }

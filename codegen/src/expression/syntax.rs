@@ -1,5 +1,6 @@
 //! What an expression is made of, and where a text is none.
 
+use crate::limits::{NESTING, OPERATORS};
 use crate::source::Span;
 
 /// An expression with its place in the text.
@@ -64,8 +65,10 @@ pub enum Expected {
     Closing,
     /// A number of at most 30 digits.
     ShorterNumber,
-    /// Parentheses less than 100 deep.
+    /// Parentheses at most [`NESTING`] deep.
     ShallowerNesting,
+    /// At most [`OPERATORS`] operators.
+    FewerOperators,
     /// Exactly one `=`.
     Equation,
 }
@@ -73,11 +76,12 @@ pub enum Expected {
 impl core::fmt::Display for Expected {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
+            Self::ShallowerNesting => return write!(f, "nested more than {NESTING} deep"),
+            Self::FewerOperators => return write!(f, "an expression of more than {OPERATORS} operators"),
             Self::Operand => "expected a number, a name, a function or a parenthesis here",
             Self::Operator => "expected an operator or the end here",
             Self::Closing => "expected `)` here",
             Self::ShorterNumber => "a number has at most 30 digits",
-            Self::ShallowerNesting => "nested too deeply",
             Self::Equation => "expected one `=`",
         })
     }

@@ -6,6 +6,7 @@ use super::parameter::{Assumed, Column, Parameter};
 use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly};
 use crate::basis::Basis;
 use crate::ids::{FunctionId, ParameterId, RunId};
+use crate::limits::COEFFICIENTS;
 use crate::model::{Coefficient, Model, Origin};
 use typed_index_collections::{TiSlice, TiVec, ti_vec};
 
@@ -24,6 +25,7 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
     let mut known = ti_vec![Vec::new(); readings.len()];
     let mut seen = Vec::new();
     let mut without_basis = Vec::new();
+    let mut terms = 0;
     for (run, reading) in readings.iter_enumerated() {
         for (errors, coefficient) in reading.by_errors() {
             let Some(error) = errors.errors().next() else { continue };
@@ -44,6 +46,10 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
             for (term, value) in values.iter_enumerated() {
                 let origin = Origin::Coefficient(Coefficient { function: id, term });
                 let column = coefficient.times(value, Order::NOMINAL)?.normal_root2()?;
+                terms += column.terms().len();
+                if terms > COEFFICIENTS {
+                    return Err(AlgebraError::TooLong.into());
+                }
                 put(&mut found, readings.len(), origin, run, column);
             }
         }

@@ -151,3 +151,10 @@ pub enum DraftBasis {
     /// `{ fourier = harmonics }`
     Fourier(u8),
 }
+
+impl DraftBasis {
+    /// The conditions of a polynomial.
+    pub(super) fn conditions(&self) -> &[Text] {
+        if let Self::Polynomial(_, conditions) = self { conditions } else { &[] }
+    }
+}

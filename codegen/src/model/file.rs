@@ -3,20 +3,23 @@
 use super::draft::{
     Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,
 };
+use super::size::excess;
 use super::{AxisKind, Model, Problem, ProblemKind};
+use crate::limits::FILE;
 use crate::source::{Span, Text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Reads a model file; all problems are reported together, in the order of their places.
 pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
-    let toml = |e: toml::de::Error| Problem {
-        span: e.span().unwrap_or(0..0),
-        kind: ProblemKind::Toml(e.message().to_owned()),
-    };
-    let table = DeTable::parse(source).map_err(|e| vec![toml(e)])?;
+    let table = table(source)?;
     let mut reader = Reader { problems: Vec::new() };
     let draft = reader.draft(table.get_ref());
+    // Of what is too much, everything else may be wrong as well.
+    let excess = excess(&draft);
+    if !excess.is_empty() {
+        return Err(excess);
+    }
     let mut problems = reader.problems;
     let built = draft.build();
     if problems.is_empty() {
@@ -31,13 +34,20 @@ pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
 
 /// Reads a model file without resolving what it says; problems of its form alone.
 pub fn read_draft(source: &str) -> Result<Draft, Vec<Problem>> {
-    let table = DeTable::parse(source).map_err(|e| {
-        let span = e.span().unwrap_or(0..0);
-        vec![Problem { span, kind: ProblemKind::Toml(e.message().to_owned()) }]
-    })?;
+    let table = table(source)?;
     let mut reader = Reader { problems: Vec::new() };
     let draft = reader.draft(table.get_ref());
     if reader.problems.is_empty() { Ok(draft) } else { Err(reader.problems) }
+}
+
+fn table(source: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {
+    if source.len() > FILE {
+        return Err(vec![Problem { span: 0..0, kind: ProblemKind::TooMany("bytes in a model file", FILE) }]);
+    }
+    DeTable::parse(source).map_err(|e| {
+        let span = e.span().unwrap_or(0..0);
+        vec![Problem { span, kind: ProblemKind::Toml(e.message().to_owned()) }]
+    })
 }
 
 const TOP: &[&str] = &[

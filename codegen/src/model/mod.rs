@@ -13,6 +13,7 @@ mod prior;
 mod problem;
 mod reference;
 mod resolve;
+mod size;
 mod unknown;
 mod written;
 

@@ -3,7 +3,8 @@
 use crate::algebra::AlgebraError;
 use crate::basis::NoBasis;
 use crate::expression::{Expected, Meaning};
-use crate::source::{Span, visible};
+use crate::limits::{NAME, TERMS};
+use crate::source::{Span, shown};
 use core::fmt::{self, Write as _};
 
 /// One problem of a description.
@@ -103,6 +104,8 @@ pub enum ProblemKind {
     NotTogether(String),
     /// A run that sees a motion error of which nothing is assumed: the run, the error, its coefficient.
     NothingAssumed(String, String, String),
+    /// More of something than a model may have.
+    TooMany(&'static str, usize),
     /// A name in `order` that is no parameter of the runs.
     UnknownParameter(String),
     /// An exact computation failed while a run was derived.
@@ -166,6 +169,7 @@ impl fmt::Display for ProblemKind {
             Self::NothingAssumed(run, error, factor) => {
                 write!(f, "run {run} sees {error} with the factor {factor}, and nothing is assumed of it")
             }
+            Self::TooMany(what, most) => write!(f, "more than {most} {what}"),
             Self::UnknownParameter(name) => write!(f, "`{name}` is not a parameter that the runs see"),
             Self::Derivation(e) => write!(f, "{e}"),
         }
@@ -174,12 +178,12 @@ impl fmt::Display for ProblemKind {
 
 impl core::error::Error for ProblemKind {}
 
-/// Writes with what was quoted from the description made visible.
+/// Writes what was quoted from the description visibly, and no more of it than a message shows.
 struct Seen<'a, 'b>(&'a mut fmt::Formatter<'b>);
 
 impl fmt::Write for Seen<'_, '_> {
     fn write_str(&mut self, text: &str) -> fmt::Result {
-        self.0.write_str(&visible(text))
+        self.0.write_str(&shown(text))
     }
 }
 
@@ -235,7 +239,11 @@ impl ProblemKind {
             Self::Toml(_) => "expected a model file: mend this line, or give a model's name".into(),
             Self::UnknownKey(_, known) | Self::OneOf(_, known) => format!("expected {}", list(known)),
             Self::UnknownAxis(axis) => format!("describe it under [axis.{axis}], with `rotary` or `linear`"),
-            Self::NotAName(_) => "a letter first, then letters, digits and underscores".into(),
+            Self::NotAName(_) => {
+                format!("a letter first, then letters, digits and underscores, {NAME} characters at most")
+            }
+            Self::TooMany(..) => "no machine needs as many: leave some out, or describe it in several files".into(),
+            Self::Meaning(Meaning::TooManyTerms) => format!("a coordinate or length of at most {TERMS} terms"),
             Self::Unplaced(_) => {
                 "name it in `workpiece = […]` or `tool = […]`, from the machine's base outwards".into()
             }

@@ -5,7 +5,7 @@
 
 mod render;
 
-pub use crate::source::visible;
+pub use crate::source::{shown, visible};
 pub use render::{Colour, render};
 
 use crate::algebra::Alphabet;

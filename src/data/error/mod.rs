@@ -16,10 +16,48 @@ pub use line::{FieldProblem, LineProblem};
 use header::Joined;
 use words::{Degrees, List};
 
+use super::limits::{LINE, LINES};
 use super::text::Encoding;
 
-/// Bad lines shown of one file; the rest are counted.
+/// Problems shown of one file; the rest are counted.
 const SHOWN: usize = 5;
+
+/// The first bad lines of a file, and how many there are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BadLines {
+    first: Vec<LineProblem>,
+    all: usize,
+}
+
+impl BadLines {
+    /// Those that are shown, in the file's order.
+    pub fn first(&self) -> &[LineProblem] {
+        &self.first
+    }
+
+    /// Of how many.
+    pub fn all(&self) -> usize {
+        self.all
+    }
+
+    pub(super) fn new(first: LineProblem) -> Self {
+        Self { first: vec![first], all: 1 }
+    }
+
+    /// None of no lines.
+    pub(super) fn of(mut lines: impl Iterator<Item = LineProblem>) -> Option<Self> {
+        let mut bad = Self::new(lines.next()?);
+        lines.for_each(|line| bad.add(line));
+        Some(bad)
+    }
+
+    pub(super) fn add(&mut self, line: LineProblem) {
+        self.all += 1;
+        if self.first.len() < SHOWN {
+            self.first.push(line);
+        }
+    }
+}
 
 /// A file that cannot be used, and why.
 ///
@@ -66,6 +104,25 @@ pub enum FileProblem {
         /// What it looks like.
         encoding: Encoding,
     },
+    /// A line, or a field in quotes that goes over several, of more than [`LINE`] bytes.
+    #[error(
+        "a line of more than {LINE} bytes\n  expected a line for each sample: is this a CSV file, and every quote closed?"
+    )]
+    LongLine {
+        /// The line it begins on.
+        line: u64,
+    },
+    /// More than [`LINES`] lines.
+    #[error("more than {LINES} lines\n  expected a file with an end: divide it, or leave out samples")]
+    ManyLines,
+    /// More samples, nodes or touches than can be kept at once.
+    #[error("more than {most} {what}\n  expected fewer: leave out samples that lie next to others", what = .of.counted())]
+    TooMany {
+        /// How many can be.
+        most: usize,
+        /// Of what.
+        of: Need,
+    },
     /// Fields divided by something else than commas.
     #[error(
         "fields are separated by {separator}\n  expected commas between fields and points in numbers: replace decimal commas by points first, then {separator} by commas"
@@ -85,8 +142,8 @@ pub enum FileProblem {
         problems: Vec<HeaderProblem>,
     },
     /// Lines that are not usable, in the file's order.
-    #[error("{} bad lines", .0.len())]
-    Lines(Vec<LineProblem>),
+    #[error("{} bad lines", .0.all)]
+    Lines(BadLines),
     /// Fewer samples than needed.
     #[error("too few {}: {present} present, at least {needed} needed\n  expected {why}", .why.counted())]
     TooFew {
@@ -191,14 +248,14 @@ impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let file = self.file.display();
         match &self.problem {
-            FileProblem::Lines(lines) => {
-                for (at, bad) in lines.iter().take(SHOWN).enumerate() {
+            FileProblem::Lines(BadLines { first, all }) => {
+                for (at, bad) in first.iter().enumerate() {
                     if at > 0 {
                         writeln!(f)?;
                     }
                     write!(f, "{file}:{}: {}", bad.line, bad.problem)?;
                 }
-                more(f, lines.len())
+                more(f, *all)
             }
             FileProblem::OutsideTable { table, range, samples } => {
                 let (low, high) = (Degrees(range.0), Degrees(range.1));
@@ -216,15 +273,20 @@ impl fmt::Display for FileError {
                 )
             }
             FileProblem::Header { line, problems } => {
-                for (at, problem) in problems.iter().enumerate() {
+                for (at, problem) in problems.iter().take(SHOWN).enumerate() {
                     if at > 0 {
                         writeln!(f)?;
                     }
                     write!(f, "{file}:{line}: {problem}")?;
                 }
-                Ok(())
+                match problems.len().saturating_sub(SHOWN) {
+                    0 => Ok(()),
+                    rest => write!(f, "\n… and {rest} more"),
+                }
             }
-            FileProblem::NotUtf8 { line, .. } | FileProblem::Separator { line, .. } => {
+            FileProblem::NotUtf8 { line, .. }
+            | FileProblem::LongLine { line }
+            | FileProblem::Separator { line, .. } => {
                 write!(f, "{file}:{line}: {}", self.problem)
             }
             _ => write!(f, "{file}: {}", self.problem),

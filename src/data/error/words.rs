@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use trunnion_codegen::problems::shown;
 use trunnion_codegen::quantity::Unit;
 
 /// An angle in rad, shown in degrees without the last digits of the conversion and without a sign at zero.
@@ -18,7 +19,7 @@ pub(super) struct List<'a>(pub(super) &'a [String]);
 
 impl fmt::Display for List<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0.join(", "))
+        f.write_str(&shown(&self.0.join(", ")))
     }
 }
 

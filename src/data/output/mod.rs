@@ -36,7 +36,7 @@ impl Guard {
         if self.inputs.iter().any(|input| place::same(input, file)) {
             return Err(WriteProblem::Input);
         }
-        match self.force || own(&fs::read(file)?) {
+        match self.force || own(&own::contents(file)?) {
             true => Ok(()),
             false => Err(WriteProblem::Foreign),
         }

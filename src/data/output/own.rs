@@ -5,9 +5,11 @@
 //! them.
 
 use std::collections::BTreeMap;
-use std::fs;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
+use crate::data::limits::RESULT;
 use crate::plot::MADE;
 
 /// The file that lists those written with it.
@@ -22,6 +24,13 @@ pub(in crate::data) fn digest(contents: &[u8]) -> String {
     format!("{:016x}", contents.iter().fold(0xcbf2_9ce4_8422_2325, step))
 }
 
+/// What an output is to replace, or its beginning: a longer file is no earlier result, and need not fill the memory.
+pub(super) fn contents(file: &Path) -> io::Result<Vec<u8>> {
+    let mut contents = Vec::new();
+    File::open(file)?.take(RESULT).read_to_end(&mut contents)?;
+    Ok(contents)
+}
+
 /// The files of a directory that its index lists, with their digests, and the index itself.
 #[derive(Default)]
 pub(super) struct Listed(BTreeMap<String, Option<String>>);
@@ -29,7 +38,7 @@ pub(super) struct Listed(BTreeMap<String, Option<String>>);
 impl Listed {
     /// Of a directory; nothing where it has no such index.
     pub fn of(directory: &Path) -> Self {
-        let index = fs::read(directory.join(INDEX)).ok();
+        let index = contents(&directory.join(INDEX)).ok();
         let index: Option<serde_json::Value> = index.and_then(|text| serde_json::from_slice(&text).ok());
         let Some(files) = index.as_ref().and_then(|index| index.get(LISTED)?.as_object()) else {
             return Self::default();

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use super::Guard;
 use super::error::{WriteError, WriteProblem};
-use super::own::Listed;
+use super::own::{Listed, contents};
 use super::place::{beside, followed};
 use super::stage::{Lock, Stage, remove};
 
@@ -138,7 +138,7 @@ impl Earlier {
             let entry = entry?;
             let name = entry.file_name().to_string_lossy().into_owned();
             let candidate = entry.file_type()?.is_file() && (files.0.contains_key(&name) || earlier.listed.has(&name));
-            if candidate && earlier.listed.is_own(&name, &fs::read(entry.path())?) {
+            if candidate && earlier.listed.is_own(&name, &contents(&entry.path())?) {
                 earlier.own.push(name);
             } else if name != WITHIN {
                 earlier.others = true;

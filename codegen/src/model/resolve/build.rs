@@ -5,12 +5,17 @@ use super::resolver::Resolver;
 use crate::identify::settle;
 use crate::ids::RunId;
 use crate::iso::Notation;
+use crate::model::size::excess;
 use crate::model::{Axis, Draft, Model, Problem, ProblemKind, Run, reference};
 use typed_index_collections::TiVec;
 
 impl Draft {
     /// Checks everything and resolves every symbol; all problems are reported together.
     pub fn build(&self) -> Result<Model, Vec<Problem>> {
+        let excess = excess(self);
+        if !excess.is_empty() {
+            return Err(excess);
+        }
         let mut resolver = Resolver::default();
         let model = resolver.model(self);
         if !resolver.problems.is_empty() {

@@ -1,6 +1,7 @@
 //! Which names may be given.
 
 use super::resolver::Resolver;
+use crate::limits::NAME;
 use crate::model::ProblemKind;
 use crate::source::Text;
 
@@ -11,7 +12,8 @@ impl Resolver {
     pub fn is_name(&mut self, text: &Text) -> bool {
         let mut chars = text.value.chars();
         let first = chars.next().is_some_and(|c| c.is_ascii_alphabetic());
-        let good = first && chars.all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+        let good =
+            first && text.value.len() <= NAME && chars.all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
         if !good {
             self.problem::<()>(&text.span, ProblemKind::NotAName(text.value.clone()));
         }

@@ -1,0 +1,31 @@
+//! How large a description may be. Each limit is many times what any machine needs, and small enough that whatever keeps to all
+//! of them is answered within seconds and a gigabyte; beyond one, a problem names it.
+
+/// Bytes of a model file.
+pub const FILE: usize = 1 << 16;
+/// Characters of a name.
+pub const NAME: usize = 64;
+/// Axes of a machine, on both sides together.
+pub const AXES: usize = 12;
+/// Runs of a model, as they are written.
+pub const RUNS: usize = 64;
+/// Entries of any other list or table: lengths, names, functions, assumptions, definitions, conditions, ….
+pub const LIST: usize = 200;
+/// Operators of an expression.
+pub const OPERATORS: usize = 500;
+/// How deep parentheses, functions and signs of an expression may be nested.
+pub const NESTING: usize = 100;
+/// Terms of an expression's value, multiplied out, and of each of its parts'.
+pub const TERMS: usize = 200;
+/// Products of two terms on the way to a part's value, so that a power ends before it fills the memory.
+pub const PRODUCTS: usize = 10_000;
+/// Pairs of terms in one product of a derivation.
+pub const PAIRS: usize = 250_000;
+/// Terms of all parameters' coefficients in all runs together, before they are reduced: the catalogue's models have up to 635.
+pub const COEFFICIENTS: usize = 20_000;
+/// Pairs of terms that an elimination multiplies: some times what the catalogue's largest searches need, and some seconds.
+pub const ELIMINATION: usize = 4_000_000;
+/// Problems that are told one by one; the others are counted.
+pub const PROBLEMS: usize = 20;
+/// Characters of a quoted text or line that a message shows.
+pub const SHOWN: usize = 200;
