@@ -19,8 +19,8 @@ pub const NESTING: usize = 100;
 pub const TERMS: usize = 200;
 /// Products of two terms on the way to a part's value, so that a power ends before it fills the memory.
 pub const PRODUCTS: usize = 10_000;
-/// Pairs of terms in one product of a derivation.
-pub const PAIRS: usize = 250_000;
+/// Pairs of terms in one product of a derivation: more than 250,000 stand in the second order of the catalogue's largest machines.
+pub const PAIRS: usize = 2_000_000;
 /// Terms of all parameters' coefficients in all runs together, before they are reduced: the catalogue's models have up to 635.
 pub const COEFFICIENTS: usize = 20_000;
 /// Pairs of terms that an elimination multiplies: some times what the catalogue's largest searches need, and some seconds.

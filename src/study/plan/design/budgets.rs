@@ -1,10 +1,9 @@
 //! What a set of runs would give from all sources of uncertainty.
 
 use super::pool::Measured;
-use super::proposal::DesignError;
 use crate::study::budget::{Source, Sources};
 use crate::study::visited::{between, visited};
-use crate::study::{Estimator, Observation, Setup, Variance, fit_with};
+use crate::study::{EstimateError, Estimator, Observation, Setup, Variance, fit_with};
 use trunnion_codegen::ids::FunctionId;
 
 /// Coordinates at which a function is looked at, less one.
@@ -25,8 +24,8 @@ pub struct Budgeted {
 /// Of each function what these runs would give.
 ///
 /// # Errors
-/// [`DesignError`] where the runs give no estimate.
-pub fn budgets(setup: &Setup, functions: &[FunctionId], measured: &Measured) -> Result<Vec<Budgeted>, DesignError> {
+/// [`EstimateError`] where the runs give none.
+pub fn budgets(setup: &Setup, functions: &[FunctionId], measured: &Measured) -> Result<Vec<Budgeted>, EstimateError> {
     let sweeps = |run| setup.swept(run, measured.samples, measured.range);
     let observations: Vec<Observation> =
         setup.model.runs.keys().map(|run| Observation::zero(setup, run, &sweeps(run))).collect();

@@ -143,9 +143,8 @@ pub fn design(
     if let Some(error) = refused.filter(|_| proposals.is_empty()) {
         return Err(error);
     }
-    let all = Setup::new(choices.model.clone(), &lengths(asked))
-        .map_err(DesignError::from)
-        .and_then(|setup| budgets(&setup, &functions, &asked.measured));
+    let whole = Setup::new(choices.model.clone(), &lengths(asked)).ok();
+    let all = whole.and_then(|setup| budgets(&setup, &functions, &asked.measured).ok());
     let least = |i: usize| {
         let of = proposals.iter().map(|p| &p.budgets).chain(&all);
         of.filter_map(|budgets| Some(budgets.get(i)?.measured)).fold(f64::INFINITY, f64::min)
