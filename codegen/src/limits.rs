@@ -4,7 +4,7 @@
 /// Bytes of a model file.
 pub const FILE: usize = 1 << 16;
 /// Characters of a name.
-pub const NAME: usize = 64;
+pub const NAME: usize = 128;
 /// Axes of a machine, on both sides together.
 pub const AXES: usize = 12;
 /// Runs of a model, as they are written.
