@@ -33,7 +33,7 @@
 //! | attribute | on | says |
 //! |---|---|---|
 //! | `#[machine(…)]` | the struct | `constants`, `estimate`, `order`, `title`, `notation`, `names` of the model |
-//! | `#[run(NAME, …)]` | the struct, one a run | `sweep`, `at`, `workpiece_ball`, `tool_ball`, and `bar` or `displacement`; `nuisance` |
+//! | `#[run(NAME, …)]` | the struct, one a run | `sweep`, `at`, `workpiece_ball`, `tool_ball`, and `bar` or `displacement`; `define`, `nuisance` |
 //! | `#[function(ERROR = …)]` | the struct | what is assumed of motion errors: `polynomial`, `fourier`, `known`, `zero` |
 //! | `#[assume(EXC_cos1 = "0")]` | the struct | what is taken as exact between parameters, or functions at a point |
 //! | `#[workpiece(…)]`, `#[tool(…)]` | a field | an axis on that side: `rotary` or `linear`, `location`, `name` |

@@ -10,7 +10,7 @@ use trunnion_codegen::model::{
 
 const MACHINE: &[&str] = &["title", "notation", "constants", "estimate", "order", "names"];
 const AXIS: &[&str] = &["name", "rotary", "linear", "location"];
-const RUN: &[&str] = &["sweep", "at", "workpiece_ball", "tool_ball", "bar", "displacement", "nuisance"];
+const RUN: &[&str] = &["sweep", "define", "at", "workpiece_ball", "tool_ball", "bar", "displacement", "nuisance"];
 const BALL: &[&str] = &["at", "setup"];
 const BASIS: &[&str] = &["polynomial", "fourier", "known", "zero"];
 
@@ -178,6 +178,7 @@ impl Reader {
                 "workpiece_ball" => run.workpiece_ball = self.ball(item),
                 "tool_ball" => run.tool_ball = self.ball(item),
                 "bar" => reading = self.value(item).map(DraftReading::Bar),
+                "define" => run.define = self.pairs(item),
                 "nuisance" => run.nuisance = self.list(item),
                 "displacement" => reading = Some(DraftReading::Displacement(self.list(item))),
                 _ => self.unknown(item, RUN),
