@@ -2,7 +2,7 @@
 
 use super::limits::ErrorLimits;
 use super::setup::{Setup, SetupError};
-use trunnion_codegen::algebra::{Monomial, Nominal, NominalId, Order};
+use trunnion_codegen::algebra::{Monomial, Nominal, Order};
 use trunnion_codegen::emit::model::{motion, poly};
 use trunnion_codegen::graph::{Graph, Symbol, Tape};
 use trunnion_codegen::identify::DeriveError;
@@ -30,11 +30,10 @@ impl Neglected {
 /// The second-order terms of a run's reading, ready to evaluate along it.
 pub(super) struct SecondOrder<'a> {
     setup: &'a Setup,
+    run: RunId,
     /// The products of two errors.
     pub products: Vec<Monomial>,
     tape: Tape,
-    inputs: Vec<f64>,
-    motion: Vec<NominalId>,
 }
 
 impl<'a> SecondOrder<'a> {
@@ -50,21 +49,18 @@ impl<'a> SecondOrder<'a> {
         let outputs: Vec<_> = terms.iter().map(|(_, p)| poly(&mut graph, &model.alphabet, p)).collect();
         let lengths = model.alphabet.nominals().filter(|(_, n)| matches!(n, Nominal::Constant(_))).map(|(id, _)| id);
         let [sweep, ..] = model.alphabet.sweep_symbols(model.runs[run].sweep);
-        let motion = motion(model, run);
-        let symbols: Vec<Symbol> = lengths.chain([sweep]).chain(motion.iter().copied()).map(Symbol::Nominal).collect();
+        let symbols: Vec<Symbol> = lengths.chain([sweep]).chain(motion(model, run)).map(Symbol::Nominal).collect();
         let tape = Tape::new(&graph.lower(&symbols, &outputs)?);
-        let mut inputs: Vec<f64> = model.alphabet.constants().map(|n| setup.constant(n)).collect();
-        inputs.resize(symbols.len(), 0.0);
-        Ok(Self { setup, products: terms.into_iter().map(|(errors, _)| errors).collect(), tape, inputs, motion })
+        Ok(Self { setup, run, products: terms.into_iter().map(|(errors, _)| errors).collect(), tape })
     }
 
     /// Calls `each` at every sweep, which is reached in a direction, with the sample's position and the factor of every product.
     pub fn along(&self, places: impl Iterator<Item = (f64, f64)>, mut each: impl FnMut(usize, &[f64])) {
         let mut evaluator = self.tape.evaluator();
-        let mut inputs = self.inputs.clone();
+        let mut inputs = self.setup.inputs(self.run);
         let mut values = vec![0.0; self.products.len()];
         for (i, (sweep, direction)) in places.enumerate() {
-            self.setup.place(&mut inputs, &self.motion, sweep, direction);
+            self.setup.place(self.run, &mut inputs, sweep, direction);
             let evaluated = evaluator.evaluate(&inputs, &mut values);
             debug_assert_eq!(evaluated, Ok(()), "the tape was made for these inputs");
             each(i, &values);

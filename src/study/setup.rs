@@ -25,6 +25,8 @@ pub struct Setup {
     /// Values of the constants, in the order of the alphabet, mm.
     constants: Vec<f64>,
     runs: TiVec<RunId, Tape>,
+    /// What each run's row takes behind the sweep.
+    motion: TiVec<RunId, Vec<NominalId>>,
 }
 
 /// Why a model cannot be put to work.
@@ -118,7 +120,8 @@ impl Setup {
         let constants = model.alphabet.constants().map(value).collect::<Result<Vec<_>, _>>()?;
         let tape = |run| Ok(Tape::new(emit::model::run(&model, &derivation, run)?.program()));
         let runs = model.runs.keys().map(tape).collect::<Result<TiVec<_, _>, Unbound>>()?;
-        Ok(Self { model, derivation, constants, runs })
+        let motion = model.runs.keys().map(|run| motion(&model, run)).collect();
+        Ok(Self { model, derivation, constants, runs, motion })
     }
 
     /// A model of the catalogue with values for its constants, mm.
@@ -160,28 +163,31 @@ impl Setup {
 
     /// Evaluates a run's row.
     pub fn row(&self, run: RunId) -> RunRow<'_> {
-        let mut inputs = self.constants.clone();
-        inputs.push(0.0);
-        let motion = motion(&self.model, run);
-        inputs.extend(motion.iter().map(|_| 0.0));
         RunRow {
             setup: self,
-            motion,
+            run,
             evaluator: self.runs[run].evaluator(),
-            inputs,
+            inputs: self.inputs(run),
             outputs: vec![0.0; self.runs[run].outputs()],
             split: self.derivation.runs[run].regressors.len(),
         }
     }
 
-    /// Writes the sweep, and which way things move there, to the end of a row's inputs.
-    pub(super) fn place(&self, inputs: &mut [f64], motion: &[NominalId], sweep: f64, direction: f64) {
+    /// What a run's row takes: the lengths, and room for the sweep and how things move there.
+    pub(super) fn inputs(&self, run: RunId) -> Vec<f64> {
+        let mut inputs = self.constants.clone();
+        inputs.resize(self.constants.len() + 1 + self.motion[run].len(), 0.0);
+        inputs
+    }
+
+    /// Writes the sweep, and how things move there, to the end of a run's inputs.
+    pub(super) fn place(&self, run: RunId, inputs: &mut [f64], sweep: f64, direction: f64) {
         let length = |name: &str| self.constant(name);
         let value = |&id: &NominalId| {
             let value = nominal_value(id, &self.model.alphabet, sweep, &length);
             if matches!(self.model.alphabet.nominal(id), Nominal::Sense { .. }) { direction * value } else { value }
         };
-        let values = [sweep].into_iter().chain(motion.iter().map(value));
+        let values = [sweep].into_iter().chain(self.motion[run].iter().map(value));
         inputs.iter_mut().skip(self.constants.len()).zip(values).for_each(|(input, value)| *input = value);
     }
 
@@ -281,7 +287,7 @@ pub fn coordinate(axis: &Axis) -> Quantity {
 #[derive(Debug)]
 pub struct RunRow<'a> {
     setup: &'a Setup,
-    motion: Vec<NominalId>,
+    run: RunId,
     evaluator: Evaluator<'a>,
     inputs: Vec<f64>,
     outputs: Vec<f64>,
@@ -292,7 +298,7 @@ impl RunRow<'_> {
     /// Regressors of the base parameters that the run sees, and factors of its known functions, at `sweep` (rad), reached in
     /// `direction`: 1 increasing, −1 decreasing.
     pub fn at(&mut self, sweep: f64, direction: f64) -> (&[f64], &[f64]) {
-        self.setup.place(&mut self.inputs, &self.motion, sweep, direction);
+        self.setup.place(self.run, &mut self.inputs, sweep, direction);
         let evaluated = self.evaluator.evaluate(&self.inputs, &mut self.outputs);
         debug_assert_eq!(evaluated, Ok(()), "the row was made for this tape");
         self.outputs.split_at(self.split)

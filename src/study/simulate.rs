@@ -29,6 +29,12 @@ impl Setup {
         there
     }
 
+    /// All runs at these places with all readings zero: for what does not depend on readings.
+    pub fn unread(&self, samples: usize, range: (f64, f64)) -> Vec<Observation> {
+        let runs = self.model.runs.keys();
+        runs.map(|run| Observation::zero(self, run, &self.swept(run, samples, range))).collect()
+    }
+
     /// A run and its instrument at the given values of its sweep, rad: what it reads comes from full 4×4 products, nothing
     /// linearised.
     pub fn exact(&self, run: RunId, sweeps: &[f64]) -> ExactReading {

@@ -1,7 +1,7 @@
 //! Monte Carlo studies of every estimated function, with several estimators.
 
 use super::estimate::{EstimateError, fit};
-use super::fit::{Estimator, Observation};
+use super::fit::Estimator;
 use super::monte_carlo::{Draws, Spread, Trial, monte_carlo};
 use super::setup::Setup;
 use super::told::Told;
@@ -84,9 +84,6 @@ pub fn studies(
 /// # Errors
 /// [`EstimateError`]
 pub fn design_warning(setup: &Setup, draws: Draws, estimator: Estimator) -> Result<Option<Warning>, EstimateError> {
-    let sweeps = |run| setup.swept(run, draws.samples, draws.range);
-    let zero = |run| Observation::zero(setup, run, &sweeps(run));
-    let design: Vec<Observation> = setup.model.runs.keys().map(zero).collect();
-    let separation = fit(setup, &design, estimator)?.separation;
+    let separation = fit(setup, &setup.unread(draws.samples, draws.range), estimator)?.separation;
     Ok(Warning::hardly_separated(setup, &separation, goes_round(draws.range)))
 }

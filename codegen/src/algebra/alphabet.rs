@@ -51,6 +51,30 @@ pub enum Nominal {
     },
 }
 
+impl Nominal {
+    /// Its own name, of what has one in equations and is no length.
+    fn name(&self) -> Option<&str> {
+        match self {
+            Self::Wrapped { name, .. }
+            | Self::Root { name, .. }
+            | Self::Arctangent { name, .. }
+            | Self::Sense { name, .. } => Some(name),
+            _ => None,
+        }
+    }
+
+    /// Whether it stands for the same, whatever it is called.
+    fn means(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Wrapped { angle, .. }, Self::Wrapped { angle: own, .. }) => angle == own,
+            (Self::Root { root, .. }, Self::Root { root: own, .. }) => root == own,
+            (Self::Arctangent { angle, .. }, Self::Arctangent { angle: own, .. }) => angle == own,
+            (Self::Sense { sense, .. }, Self::Sense { sense: own, .. }) => sense == own,
+            _ => self == other,
+        }
+    }
+}
+
 /// All symbols of one model. π and √2 are always there.
 #[derive(Clone, Debug)]
 pub struct Alphabet {
@@ -81,12 +105,17 @@ impl Alphabet {
         Ok(NominalId(self.nominals.len() as u8 - 1))
     }
 
+    /// The symbol that stands for the same, made if there is none.
+    fn once(&mut self, nominal: Nominal) -> Result<NominalId, AlgebraError> {
+        match self.find(|own| own.means(&nominal)) {
+            Some(id) => Ok(id),
+            None => self.add(nominal),
+        }
+    }
+
     /// The constant called `name`, made if it is new.
     pub fn constant(&mut self, name: &str) -> Result<NominalId, AlgebraError> {
-        match self.find_constant(name) {
-            Some(id) => Ok(id),
-            None => self.add(Nominal::Constant(name.to_owned())),
-        }
+        self.once(Nominal::Constant(name.to_owned()))
     }
 
     /// The constant called `name`, if the model has it.
@@ -109,10 +138,7 @@ impl Alphabet {
 
     /// The symbol of a wrapped angle, made with the name if it is new.
     pub fn wrapped(&mut self, angle: WrappedAngle, name: String) -> Result<NominalId, AlgebraError> {
-        match self.find_wrapped(angle) {
-            Some(id) => Ok(id),
-            None => self.add(Nominal::Wrapped { angle, name }),
-        }
+        self.once(Nominal::Wrapped { angle, name })
     }
 
     /// The symbol of a wrapped angle, if a run has it.
@@ -122,11 +148,7 @@ impl Alphabet {
 
     /// The symbol of a root, made with the name if it is new.
     pub fn root(&mut self, root: Root, name: String) -> Result<NominalId, AlgebraError> {
-        let is = |n: &Nominal| matches!(n, Nominal::Root { root: own, .. } if *own == root);
-        match self.find(is) {
-            Some(id) => Ok(id),
-            None => self.add(Nominal::Root { root, name }),
-        }
+        self.once(Nominal::Root { root, name })
     }
 
     /// Whether a root is called so already.
@@ -136,11 +158,7 @@ impl Alphabet {
 
     /// The symbol of an angle given by its sine and cosine, made with the name if it is new.
     pub fn arctangent(&mut self, angle: Arctangent, name: String) -> Result<NominalId, AlgebraError> {
-        let is = |n: &Nominal| matches!(n, Nominal::Arctangent { angle: own, .. } if *own == angle);
-        match self.find(is) {
-            Some(id) => Ok(id),
-            None => self.add(Nominal::Arctangent { angle, name }),
-        }
+        self.once(Nominal::Arctangent { angle, name })
     }
 
     /// The roots, the last made first: one may be of others.
@@ -158,10 +176,7 @@ impl Alphabet {
 
     /// The symbol of a sense, made with the name if it is new.
     pub fn sense(&mut self, sense: Sense, name: String) -> Result<NominalId, AlgebraError> {
-        match self.find_sense(&sense) {
-            Some(id) => Ok(id),
-            None => self.add(Nominal::Sense { sense, name }),
-        }
+        self.once(Nominal::Sense { sense, name })
     }
 
     /// The symbol of a sense, if a run has it.
@@ -257,13 +272,7 @@ impl Alphabet {
 
     /// Whether something in the model's equations is called so.
     pub fn has_name(&self, name: &str) -> bool {
-        let is = |n: &Nominal| match n {
-            Nominal::Wrapped { name: own, .. }
-            | Nominal::Root { name: own, .. }
-            | Nominal::Arctangent { name: own, .. }
-            | Nominal::Sense { name: own, .. } => own == name,
-            _ => false,
-        };
+        let is = |n: &Nominal| n.name() == Some(name);
         self.find_sweep(name).is_some() || self.nominals.iter().any(is) || self.has_name_beside_sweeps(name)
     }
 

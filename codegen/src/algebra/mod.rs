@@ -13,6 +13,7 @@ mod harmonics;
 mod matrix;
 mod modular;
 mod monomial;
+mod motion;
 mod order;
 mod path;
 mod poly;
@@ -41,7 +42,7 @@ pub use rational::{Rational, integer, to_f64};
 pub use sense::Sense;
 pub use symbol::{ErrorId, NominalId, SweepId};
 pub use turn::Turned;
-pub use value::{at, nominal_value, sign, whole_turns, wrapped_value};
+pub use value::{at, nominal_value, whole_turns, wrapped_value};
 pub use wrapped::WrappedAngle;
 
 /// Why an exact computation could not be carried out.

@@ -33,15 +33,12 @@ impl Sense {
 /// size.
 fn without_content(p: &Poly, alphabet: &Alphabet) -> Result<Poly, AlgebraError> {
     let ids = || alphabet.nominals().map(|(id, _)| id);
-    let part = |m: &Monomial, constant: bool| {
-        ids().filter(|id| alphabet.is_constant(*id) != constant).fold(*m, |m, id| m.with_exponent(id, 0))
-    };
     let lowest = ids().filter(|id| alphabet.is_constant(*id)).fold(Monomial::ONE, |lowest, id| {
         let exponent = p.terms().iter().map(|(m, _)| m.exponent(id)).min();
         lowest.with_exponent(id, exponent.unwrap_or(0))
     });
     let whole = p.over(lowest, &Rational::ONE)?;
-    let groups = whole.group(|m| part(m, false), |m| part(m, true));
+    let groups = whole.by_motion(alphabet);
     let mut content = Poly::ZERO;
     for (_, factor) in &groups {
         content = if factor.has_root2() { Poly::one() } else { gcd(&content, factor)? };

@@ -35,7 +35,7 @@ pub fn nominal_value(id: NominalId, alphabet: &Alphabet, sweep: f64, constant: &
 }
 
 /// 1 or −1; 0 of a velocity that is none but for the rounding of an angle in single precision, as at a reversal.
-pub fn sign(velocity: f64) -> f64 {
+fn sign(velocity: f64) -> f64 {
     if velocity.abs() < 1.0 / 1_048_576.0 { 0.0 } else { velocity.signum() }
 }
 

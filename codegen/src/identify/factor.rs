@@ -64,20 +64,12 @@ fn matrix(
     raw: &TiSlice<ParameterId, Poly>,
     alphabet: &Alphabet,
 ) -> Result<(Vec<Monomial>, Vec<Row<ParameterId>>), AlgebraError> {
-    let constants = |m: &Monomial, keep: bool| {
-        let ids = alphabet.nominals().filter(|(id, _)| alphabet.is_constant(*id) != keep);
-        ids.fold(*m, |m, (id, _)| m.with_exponent(id, 0))
-    };
     // Dividing all by what any divides by keeps what depends on what.
     let divisor = Poly::divisor(raw, alphabet);
     let (whole, back) = (Poly::term(divisor, integer(1)), divisor.recip()?);
     let mut rows: std::collections::BTreeMap<Monomial, Row<ParameterId>> = Default::default();
     for (j, column) in raw.iter_enumerated() {
-        for (monomial, entry) in column
-            .times(&whole, Order::NOMINAL)?
-            .normal(alphabet)?
-            .group(|m| constants(m, false), |m| constants(m, true))
-        {
+        for (monomial, entry) in column.times(&whole, Order::NOMINAL)?.normal(alphabet)?.by_motion(alphabet) {
             rows.entry(monomial).or_insert_with(|| ti_vec![Fraction::zero(); raw.len()])[j] = Fraction::whole(entry);
         }
     }

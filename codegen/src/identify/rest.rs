@@ -7,7 +7,7 @@
 //! its own share in another run would be told apart by what no run reads.
 
 use super::derivation::DeriveError;
-use crate::algebra::{AlgebraError, Alphabet, Angle, ErrorId, Fraction, Monomial, Order, Poly, Row, reduce, subtract};
+use crate::algebra::{AlgebraError, Angle, ErrorId, Fraction, Monomial, Order, Poly, Row, reduce, subtract};
 use crate::basis::{Basis, Coordinate};
 use crate::ids::{AxisId, RunId};
 use crate::measurement::reading;
@@ -112,21 +112,12 @@ fn effects(model: &Model) -> Result<BTreeMap<ErrorId, Effect>, DeriveError> {
         let read = reading(model, described, Order::LINEAR).map_err(|e| DeriveError::Reading(run, e))?;
         for (errors, coefficient) in read.by_errors() {
             let Some(error) = errors.errors().next() else { continue };
-            for (monomial, factor) in by_sweep(&coefficient, &model.alphabet)? {
+            for (monomial, factor) in coefficient.normal(&model.alphabet)?.by_motion(&model.alphabet) {
                 effects.entry(error).or_default().insert((run, monomial), factor);
             }
         }
     }
     Ok(effects)
-}
-
-/// A coefficient by its monomials in the sweep, its sine and cosine; what is left is of constants.
-fn by_sweep(coefficient: &Poly, alphabet: &Alphabet) -> Result<Vec<(Monomial, Poly)>, AlgebraError> {
-    let without = |m: &Monomial, constants: bool| {
-        let ids = alphabet.nominals().filter(|(id, _)| alphabet.is_constant(*id) == constants);
-        ids.fold(*m, |m, (id, _)| m.with_exponent(id, 0))
-    };
-    Ok(coefficient.normal(alphabet)?.group(|m| without(m, true), |m| without(m, false)))
 }
 
 /// What an error does in the runs in which its axis rests and is left out.

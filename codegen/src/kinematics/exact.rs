@@ -143,8 +143,11 @@ impl ExactRun {
     }
 }
 
-/// A coordinate's first three derivatives along the sweep.
+/// Of what lags, its coordinate's first three derivatives along the sweep.
 fn slopes(model: &Model, run: &Run, nuisance: &Nuisance) -> [Poly; 3] {
+    if nuisance.kind != NuisanceKind::Lag {
+        return Default::default();
+    }
     let mut derivative = run.at[nuisance.axis].poly().cloned().unwrap_or_default();
     [(); 3].map(|()| {
         // A description whose derivatives overflow has been refused: the first one is in the reading.

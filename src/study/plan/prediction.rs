@@ -3,8 +3,8 @@
 //! The covariance of a least-squares estimate depends on where the samples are and on the noise, not on the readings: it is
 //! that of a fit of readings of zero with a known standard deviation.
 
-use crate::study::visited::{between, visited};
-use crate::study::{EstimateError, Estimator, Observation, Seen, Setup, Told, Variance, fit_with};
+use crate::study::visited::{between, sweeps, visited};
+use crate::study::{EstimateError, Estimator, Seen, Setup, Told, Variance, fit_with};
 use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_solver::lstsq::student_t_95;
 
@@ -67,14 +67,12 @@ const POINTS: usize = 360;
 /// # Errors
 /// [`EstimateError`] where such samples do not determine the base parameters.
 pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, EstimateError> {
-    let sweeps = |run| setup.swept(run, intended.samples, intended.range);
-    let zero = |run| Observation::zero(setup, run, &sweeps(run));
-    let observations: Vec<Observation> = setup.model.runs.keys().map(zero).collect();
+    let observations = setup.unread(intended.samples, intended.range);
     let fit = fit_with(setup, &observations, estimator, Variance::Known(intended.sigma))?;
     let t = student_t_95::<f64>(fit.degrees_of_freedom);
     let function = |seen: &Seen| {
         let told = seen.told(setup);
-        let range = visited(setup, seen.function(), setup.model.runs.keys().map(|run| (run, sweeps(run))));
+        let range = visited(setup, seen.function(), sweeps(&observations));
         let points = range.into_iter().filter(|_| told.sum.is_some()).flat_map(|range| between(range, POINTS));
         let std = |x: f64| (x, fit.function(setup, seen.function(), x).1);
         let largest = points.map(std).max_by(|a, b| a.1.total_cmp(&b.1));

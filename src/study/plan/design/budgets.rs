@@ -2,8 +2,8 @@
 
 use super::pool::Measured;
 use crate::study::budget::{Source, Sources};
-use crate::study::visited::{between, visited};
-use crate::study::{EstimateError, Estimator, Observation, Setup, Variance, fit_with};
+use crate::study::visited::{between, sweeps, visited};
+use crate::study::{EstimateError, Estimator, Setup, Variance, fit_with};
 use trunnion_codegen::ids::FunctionId;
 
 /// Coordinates at which a function is looked at, less one.
@@ -26,13 +26,11 @@ pub struct Budgeted {
 /// # Errors
 /// [`EstimateError`] where the runs give none.
 pub fn budgets(setup: &Setup, functions: &[FunctionId], measured: &Measured) -> Result<Vec<Budgeted>, EstimateError> {
-    let sweeps = |run| setup.swept(run, measured.samples, measured.range);
-    let observations: Vec<Observation> =
-        setup.model.runs.keys().map(|run| Observation::zero(setup, run, &sweeps(run))).collect();
+    let observations = setup.unread(measured.samples, measured.range);
     let fit = fit_with(setup, &observations, Estimator::Joint, Variance::Known(measured.sigma))?;
     let sources = Sources::new(setup, &observations, &fit, measured.limits, &measured.instrument, false);
     let largest = |&function: &FunctionId| {
-        let range = visited(setup, function, setup.model.runs.keys().map(|run| (run, sweeps(run))));
+        let range = visited(setup, function, sweeps(&observations));
         let points = range.into_iter().flat_map(|range| between(range, STEPS));
         let nothing = Budgeted { function, measured: 0.0, whole: 0.0 };
         let Some(seen) = fit.seen(function) else { return Budgeted { measured: f64::INFINITY, ..nothing } };
