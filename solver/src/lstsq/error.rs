@@ -9,9 +9,9 @@ use core::{error, fmt};
 pub enum Rejected {
     /// A regressor or the measured value is NaN or infinite.
     NotFinite,
-    /// The weight is negative, NaN or infinite.
+    /// The weight is negative, NaN, or beyond [`Real::LEAST`](super::Real::LEAST) and its inverse.
     Weight,
-    /// The values are finite, but so large (or so small beside each other) that the factor would not be.
+    /// The values are finite, but so large that the factor might not be.
     Overflow,
 }
 
@@ -85,7 +85,7 @@ impl fmt::Display for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::NotFinite => "a value of the sample is not a finite number",
-            Self::Weight => "the weight is negative or not a finite number",
+            Self::Weight => "the weight is negative, not a finite number, or beyond the range of the arithmetic",
             Self::Overflow => "the values are beyond the range of the arithmetic",
         })
     }

@@ -69,53 +69,52 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// zero is no sample. Zero entries of `row` cost next to nothing.
     ///
     /// # Errors
-    /// [`Rejected`], and the factor is unchanged, if a value is not finite, the weight negative, or the result would
-    /// overflow.
+    /// [`Rejected`], and the factor is unchanged, if a value is not finite, the weight negative or beyond
+    /// [`Real::LEAST`] and its inverse, or `weight · (|row|² + y²)` beyond [`Real::MOST`].
     #[inline]
     pub fn push_weighted(&mut self, row: &SVector<T, P>, y: T, weight: T) -> Result<(), Rejected> {
         let [row] = row.data.0;
-        if !row.iter().fold(y, |sum, &x| sum + x * T::zero()).is_finite() {
-            return Err(Rejected::NotFinite);
+        if !acceptable(&row, y, weight) {
+            return if weight == T::zero() && is_finite(&row, y) { Ok(()) } else { Err(refusal(&row, y, weight)) };
         }
-        if !(weight >= T::zero() && weight.is_finite()) {
-            return Err(Rejected::Weight);
-        }
-        if weight == T::zero() {
-            return Ok(());
-        }
-        let mut next = *self;
-        next.rotate(0, row, y, weight);
-        next.samples = self.samples.saturating_add(1);
-        self.replace(next)
+        self.rotate(0, row, y, weight);
+        self.samples = self.samples.saturating_add(1);
+        Ok(())
     }
 
     /// Makes this the factor of both data sets, as if the samples of `other` had been pushed here: same result up to
     /// rounding, in any order.
     ///
     /// # Errors
-    /// [`Rejected::Overflow`], and this factor is unchanged.
+    /// [`Rejected::Overflow`], and this factor is unchanged, for more than `u32::MAX` samples together.
     pub fn merge(&mut self, other: &Self) -> Result<(), Rejected> {
-        let mut next = *self;
+        self.samples = self.samples.checked_add(other.samples).ok_or(Rejected::Overflow)?;
         for (first, (row, &y)) in other.dr.iter().zip(&other.q).enumerate() {
             let (mut row, mut weight) = (*row, T::zero());
             if let Some(diagonal) = row.get_mut(first) {
                 weight = core::mem::replace(diagonal, T::one());
             }
             if weight > T::zero() {
-                next.rotate(first, row, y, weight);
+                self.rotate(first, row, y, weight);
             }
         }
-        next.rss += other.rss;
-        next.samples = self.samples.saturating_add(other.samples);
-        self.replace(next)
+        self.rss += other.rss;
+        Ok(())
     }
 
     /// Rotates a weighted row into the factor; its entries before column `first` count as zero.
+    ///
+    /// Nothing overflows, so nothing has to be taken back. A rotation keeps `d rₖ² + w xₖ²` of every column k, so with
+    /// N² = 2³² [`MOST`](Real::MOST) at or above the sum of `w xₖ²` over all samples,
+    ///
+    /// ```text
+    /// |rₖ| ≤ N/√d,  |xₖ| ≤ N/√w,  d and w at or above LEAST  ⇒  |rₖ|, |xₖ| ≤ N/√LEAST
+    /// ```
+    ///
+    /// and every product below is the difference of two such numbers. In `f32` that is 2¹¹¹, in `f64` 2⁸¹⁶: what is left to
+    /// the end of the range is more than rounding adds up to.
     #[inline(always)]
     fn rotate(&mut self, first: usize, mut x: [T; P], mut y: T, mut weight: T) {
-        // Below this a squared entry has lost digits to underflow: the entry counts as zero.
-        let tiny = T::min_positive_value() / T::epsilon();
-        let half = T::of(0.5);
         for j in first..P {
             let xj = x[j];
             if xj == T::zero() {
@@ -123,55 +122,68 @@ impl<T: Real, const P: usize> Factor<T, P> {
             }
             let d = self.dr[j][j];
             let wx = weight * xj;
-            let sum = d + wx * xj;
-            if sum <= tiny {
+            let brought = wx * xj;
+            let sum = d + brought;
+            // A squared entry that has lost its digits to underflow counts as zero.
+            if sum <= T::LEAST {
                 continue;
             }
-            let (c, s) = (d / sum, wx / sum);
             self.dr[j][j] = sum;
             let q = self.q[j];
-            let y_rest = y - xj * q;
-            // Where the old row dominates, adding the small correction rounds least; where the new one does, the old
-            // row may be arbitrarily large beside it and must be damped before anything is added to it.
-            if c > half {
+            if brought < d {
+                let per_sum = sum.recip();
+                let s = wx * per_sum;
+                weight *= d * per_sum;
+                // The old row dominates: adding a small correction to it rounds least.
                 for k in j + 1..P {
                     let r = self.dr[j][k];
                     x[k] -= xj * r;
                     (self.dr[j][k], self.dr[k][j]) = add(r, s * x[k] + self.dr[k][j]);
                 }
-                (self.q[j], self.q_low[j]) = add(q, s * y_rest + self.q_low[j]);
+                y -= xj * q;
+                (self.q[j], self.q_low[j]) = add(q, s * y + self.q_low[j]);
             } else {
+                // The new row does. The old one may be arbitrarily large beside it: it is damped before anything is added to
+                // it, and what is left of the two goes on in units of the old row.
+                let (c, s, per_x) = (d / sum, wx / sum, xj.recip());
                 for k in j + 1..P {
                     let r = self.dr[j][k];
                     (self.dr[j][k], self.dr[k][j]) = (c * r + s * x[k], T::zero());
-                    x[k] -= xj * r;
+                    x[k] = r - per_x * x[k];
                 }
                 (self.q[j], self.q_low[j]) = (c * q + s * y, T::zero());
+                y = q - per_x * y;
+                weight = d * (brought / sum);
             }
-            y = y_rest;
-            weight *= c;
-            if weight == T::zero() {
+            if weight <= T::LEAST {
                 return;
             }
         }
         self.rss += weight * y * y;
     }
+}
 
-    /// Takes `next` for the state if all of it is finite.
-    #[inline(always)]
-    fn replace(&mut self, next: Self) -> Result<(), Rejected> {
-        let mut finite = next.rss.is_finite();
-        for (row, q) in next.dr.iter().zip(&next.q) {
-            finite &= q.is_finite();
-            for v in row {
-                finite &= v.is_finite();
-            }
-        }
-        if !finite {
-            return Err(Rejected::Overflow);
-        }
-        *self = next;
-        Ok(())
+/// Whether a factor may take a sample: all finite and within the range of its arithmetic.
+#[inline(always)]
+fn acceptable<T: Real, const P: usize>(row: &[T; P], y: T, weight: T) -> bool {
+    let size = row.iter().fold(y * y, |sum, &x| sum + x * x);
+    // No comparison with NaN holds.
+    weight >= T::LEAST && weight <= T::LEAST.recip() && weight * size <= T::MOST
+}
+
+#[inline]
+fn is_finite<T: Real, const P: usize>(row: &[T; P], y: T) -> bool {
+    T::all_finite(row) && y.is_finite()
+}
+
+#[cold]
+fn refusal<T: Real, const P: usize>(row: &[T; P], y: T, weight: T) -> Rejected {
+    if !is_finite(row, y) {
+        Rejected::NotFinite
+    } else if !(weight >= T::LEAST && weight <= T::LEAST.recip()) {
+        Rejected::Weight
+    } else {
+        Rejected::Overflow
     }
 }
 

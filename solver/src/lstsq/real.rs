@@ -6,6 +6,13 @@ use num_traits::{Float, NumAssign};
 
 /// A floating-point scalar of the solver: `f32` or `f64`.
 pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
+    /// Weights and squares of columns below this count as zero: what is divided by them stays within the range of the type.
+    /// A power of two; so is its inverse, the largest weight.
+    const LEAST: Self;
+    /// The most that `weight · (|row|² + y²)` of one sample may be: 2³² of them are still within the range, also divided by
+    /// [`LEAST`](Self::LEAST).
+    const MOST: Self;
+
     /// The value nearest to `x` (dimensionless). Never panics, unlike `NumCast::from(x).unwrap()`.
     fn of(x: f64) -> Self;
 
@@ -23,8 +30,11 @@ pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
 }
 
 macro_rules! real {
-    ($($t:ty, $sine_cosine:path;)*) => {$(
+    ($($t:ty, $least:expr, $most:expr, $sine_cosine:path;)*) => {$(
         impl Real for $t {
+            const LEAST: Self = $least;
+            const MOST: Self = $most;
+
             #[inline]
             fn of(x: f64) -> Self {
                 x as $t
@@ -55,7 +65,8 @@ macro_rules! real {
         }
     )*};
 }
+// 2⁻¹⁰⁰ and 2⁹⁰, 2⁻⁸⁰⁰ and 2⁸⁰⁰: an exponent and a mantissa of one.
 real! {
-    f32, trig::sin_cos;
-    f64, Float::sin_cos;
+    f32, f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 90) << 23), trig::sin_cos;
+    f64, f64::from_bits((1023 - 800) << 52), f64::from_bits((1023 + 800) << 52), Float::sin_cos;
 }
