@@ -18,11 +18,13 @@
 //! assert_eq!(rest, graph.product(&[two, x]));
 //! ```
 
+mod blocks;
 mod build;
 mod derivative;
 mod evaluate;
 mod factor;
 mod function;
+mod lanes;
 mod lower;
 mod node;
 mod program;
@@ -32,8 +34,10 @@ mod tests;
 
 use crate::algebra::whole_turns;
 pub use crate::algebra::{Rational, to_f64};
+pub use blocks::BlockEvaluator;
 pub use build::Graph;
 pub use evaluate::Unbound;
+pub use lanes::{LANES, Lanes};
 pub use node::{Addend, Id, Node, Power, Symbol};
 pub use program::{Constant, Operations, Program, Step, Value};
 pub use tape::{Evaluator, Tape, WrongLength};

@@ -7,7 +7,7 @@ use super::whole_turns;
 
 /// One operation on registers; its result goes to the next register.
 #[derive(Clone, Copy, Debug)]
-enum Operation {
+pub(super) enum Operation {
     Add(u32, u32),
     Sub(u32, u32),
     Mul(u32, u32),
@@ -56,11 +56,11 @@ impl std::error::Error for WrongLength {}
 /// A [`Program`] with its operands resolved to registers: inputs, then constants, then results.
 #[derive(Clone, Debug)]
 pub struct Tape {
-    inputs: usize,
-    constants: Vec<f64>,
-    operations: Vec<Operation>,
-    outputs: Vec<u32>,
-    registers: usize,
+    pub(super) inputs: usize,
+    pub(super) constants: Vec<f64>,
+    pub(super) operations: Vec<Operation>,
+    pub(super) outputs: Vec<u32>,
+    pub(super) registers: usize,
 }
 
 impl Tape {

@@ -114,7 +114,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// and every product below is the difference of two such numbers. In `f32` that is 2¹¹¹, in `f64` 2⁸¹⁶: what is left to
     /// the end of the range is more than rounding adds up to.
     #[inline(always)]
-    fn rotate(&mut self, first: usize, mut x: [T; P], mut y: T, mut weight: T) {
+    pub(super) fn rotate(&mut self, first: usize, mut x: [T; P], mut y: T, mut weight: T) {
         for j in first..P {
             let xj = x[j];
             if xj == T::zero() {

@@ -41,6 +41,7 @@
 
 #![expect(clippy::needless_range_loop, reason = "equations of matrices read by index; every bound is a constant")]
 
+mod blocked;
 mod condition;
 mod error;
 mod factor;
@@ -54,6 +55,7 @@ mod subset;
 mod triangle;
 mod two_step;
 
+pub use blocked::{Blocked, Column, Kernel, Portable, ROWS};
 pub use condition::Condition;
 pub use error::{Confounded, Named, Rejected, SolveError, Step, TwoStepError};
 pub use factor::Factor;

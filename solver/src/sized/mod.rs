@@ -3,8 +3,14 @@
 //! A factor is of fixed size, as in a controller; here one is chosen by its size, so that a model read at run time is fitted by
 //! the same code. It stands in this crate so that its sizes are compiled once, not with every change of a program.
 
-use crate::lstsq::{Condition, Factor, Order, Rejected, Solution, SolveError, Step, TwoStepError};
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+mod vectors;
+
+pub use crate::lstsq::{Column, ROWS};
+use vectors::Vectors;
+pub use vectors::{Work, vectorised};
+
+use crate::lstsq::{Blocked, Condition, Order, Rejected, Solution, SolveError, Step, TwoStepError};
+use nalgebra::{DMatrix, DVector, SMatrix};
 use std::boxed::Box;
 use std::vec::Vec;
 
@@ -81,11 +87,12 @@ impl Unsolved {
 
 /// An estimator of some size.
 pub trait Estimate: Send {
-    /// Takes a sample of a step; `row` is in the order of [`Columns::of`].
+    /// Takes the first `rows` rows of a block of a step, each with `weight`; the columns are in the order of [`Columns::of`], and
+    /// used up.
     ///
     /// # Errors
-    /// [`Rejected`]
-    fn push(&mut self, step: Step, row: &[f64], y: f64, weight: f64) -> Result<(), Rejected>;
+    /// [`Rejected`]; none of the rows is taken then.
+    fn push(&mut self, step: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected>;
     /// The estimate; `sigma` is the standard deviation of a reading of weight one, if it is known.
     ///
     /// # Errors
@@ -93,8 +100,36 @@ pub trait Estimate: Send {
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved>;
 }
 
-fn row<const P: usize>(row: &[f64]) -> SVector<f64, P> {
-    SVector::from_fn(|i, _| row.get(i).copied().unwrap_or(0.0))
+/// A block of rows: regressors column by column, and readings.
+pub struct Block<'a> {
+    /// A column for each coefficient of the step.
+    pub columns: &'a mut [Column<f64>],
+    /// The readings.
+    pub y: &'a mut Column<f64>,
+}
+
+/// A block on its way into a factor.
+struct Push<'a, const P: usize> {
+    factor: &'a mut Blocked<f64, P>,
+    block: Block<'a>,
+    rows: usize,
+    weight: f64,
+}
+
+impl<const P: usize> pulp::WithSimd for Push<'_, P> {
+    type Output = Result<(), Rejected>;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, simd: S) -> Self::Output {
+        let Block { columns, y } = self.block;
+        self.factor.push_with(Vectors(simd), columns, y, self.rows, self.weight)
+    }
+}
+
+impl<const P: usize> Push<'_, P> {
+    fn done(self) -> Result<(), Rejected> {
+        pulp::Arch::new().dispatch(self)
+    }
 }
 
 fn solved<const P: usize>(
@@ -118,15 +153,15 @@ fn enough(step: Step, samples: u32, columns: usize) -> Result<(), Unsolved> {
 }
 
 /// All runs in one problem.
-struct OneStep<const P: usize>(Factor<f64, P>);
+struct OneStep<const P: usize>(Blocked<f64, P>);
 
 impl<const P: usize> Estimate for OneStep<P> {
-    fn push(&mut self, _: Step, sample: &[f64], y: f64, weight: f64) -> Result<(), Rejected> {
-        self.0.push_weighted(&row(sample), y, weight)
+    fn push(&mut self, _: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected> {
+        Push { factor: &mut self.0, block, rows, weight }.done()
     }
 
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
-        let Self(factor) = self;
+        let factor = self.0.factor();
         let unsolved = |e| Unsolved::of(Step::First, e);
         enough(Step::First, factor.samples(), P)?;
         let unit = factor.solve_with_sigma(1.0).map_err(unsolved)?.covariance;
@@ -139,18 +174,18 @@ impl<const P: usize> Estimate for OneStep<P> {
 /// Two problems, the second with what the first gives.
 struct TwoSteps<const P: usize> {
     order: Order<P, P, P>,
-    first: Factor<f64, P>,
-    second: Factor<f64, P>,
+    first: Blocked<f64, P>,
+    second: Blocked<f64, P>,
 }
 
 impl<const P: usize> Estimate for TwoSteps<P> {
-    fn push(&mut self, step: Step, sample: &[f64], y: f64, weight: f64) -> Result<(), Rejected> {
+    fn push(&mut self, step: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected> {
         let factor = if step == Step::First { &mut self.first } else { &mut self.second };
-        factor.push_weighted(&row(sample), y, weight)
+        Push { factor, block, rows, weight }.done()
     }
 
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
-        let Self { order, first, second } = self;
+        let (order, first, second) = (&self.order, &self.first.factor(), &self.second.factor());
         let unsolved = |e: TwoStepError<P>| Unsolved::of(e.step, e.why);
         enough(Step::First, first.samples(), order.first().len())?;
         enough(Step::Second, second.samples(), order.own().len())?;
@@ -167,10 +202,10 @@ impl<const P: usize> Estimate for TwoSteps<P> {
 
 fn of<const P: usize>(columns: &Columns) -> Option<Box<dyn Estimate>> {
     if columns.own.is_empty() {
-        return Some(Box::new(OneStep::<P>(Factor::<f64, P>::new())));
+        return Some(Box::new(OneStep::<P>(Blocked::new())));
     }
     let order = Order::<P, P, P>::new(&columns.first, &columns.own, &columns.given).ok()?;
-    Some(Box::new(TwoSteps::<P> { order, first: Factor::<f64, P>::new(), second: Factor::<f64, P>::new() }))
+    Some(Box::new(TwoSteps::<P> { order, first: Blocked::new(), second: Blocked::new() }))
 }
 
 macro_rules! of_size {
