@@ -1,6 +1,7 @@
 //! An estimate, or why there is none in the names that a person knows: inside, runs and coefficients are positions.
 
-use super::fit::{self as solved, Estimator, Fit, FitError, Observation, Variance};
+use super::fit::{self as solved, Estimator, Failure, Fit, FitError, Observation, Variance};
+use super::recording::{Few, Recording};
 use super::setup::Setup;
 use core::fmt;
 use thiserror::Error;
@@ -94,7 +95,7 @@ impl EstimateError {
 /// # Errors
 /// [`EstimateError`]
 pub fn fit(setup: &Setup, observations: &[Observation], estimator: Estimator) -> Result<Fit, EstimateError> {
-    solved::fit(setup, observations, estimator).map_err(|error| EstimateError::named(setup, error))
+    fit_with(setup, observations, estimator, Variance::Residual)
 }
 
 /// As [`fit`], with the variance of the readings from elsewhere.
@@ -107,7 +108,41 @@ pub fn fit_with(
     estimator: Estimator,
     variance: Variance,
 ) -> Result<Fit, EstimateError> {
-    solved::fit_with(setup, observations, estimator, variance).map_err(|error| EstimateError::named(setup, error))
+    solved::fit(setup, observations, estimator, variance, |_, _| {}).map_err(|failure| match failure {
+        Failure::Fit(error) => EstimateError::named(setup, error),
+        Failure::Recording(never) => match never {},
+    })
+}
+
+/// As [`fit`], of recordings that are gone through again and again instead of being kept; with it the observations that stand
+/// for all samples in a [report](super::report_on).
+///
+/// # Errors
+/// [`EstimateError`], or why they cannot be read.
+pub fn fit_recorded<R: Recording>(
+    setup: &Setup,
+    recordings: &[R],
+    estimator: Estimator,
+) -> Result<(Fit, Vec<Observation>), Failed<R::Error>> {
+    let mut few: Vec<Few> = recordings.iter().map(|_| Few::default()).collect();
+    let fit = solved::fit(setup, recordings, estimator, Variance::Residual, |at, sample| few[at].add(sample));
+    let fit = fit.map_err(|failure| match failure {
+        Failure::Fit(error) => Failed::Estimate(EstimateError::named(setup, error)),
+        Failure::Recording(error) => Failed::Recording(error),
+    })?;
+    let standing = few.into_iter().zip(recordings).zip(&fit.looks);
+    let standing = standing.map(|((few, recording), look)| few.standing_for(recording, &look.spikes));
+    let standing = standing.collect::<Result<Vec<_>, _>>().map_err(Failed::Recording)?;
+    Ok((fit, standing))
+}
+
+/// Why recordings give no estimate.
+#[derive(Debug)]
+pub enum Failed<E> {
+    /// They do not determine one.
+    Estimate(EstimateError),
+    /// They cannot be read.
+    Recording(E),
 }
 
 /// As the command line and JSON call it.

@@ -4,7 +4,11 @@
 //! then the others with those coefficients put in, their covariance carried along
 //! ([`Order`](trunnion_solver::lstsq::Order)).
 
+use super::hysteresis::Averages;
+use super::misfit::{Look, Looking};
 pub use super::observation::{Observation, Sample};
+use super::recording::Recording;
+use super::rows::{Rows, blocks};
 use super::seen::Seen;
 use super::separation::Separation;
 use super::setup::Setup;
@@ -12,8 +16,8 @@ use super::weights::Weights;
 use nalgebra::{DMatrix, DVector};
 use trunnion_codegen::algebra::AlgebraError;
 use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
-use trunnion_solver::lstsq::Step;
-use trunnion_solver::sized::{self, Columns, Estimate, Unsolved};
+use trunnion_solver::lstsq::{Rejected, Step};
+use trunnion_solver::sized::{self, Block, Column, Columns, Estimate, ROWS, Unsolved};
 
 /// How the runs are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -81,6 +85,10 @@ pub struct Fit {
     pub degrees_of_freedom: u32,
     /// Root mean square of each observation's residuals, mm.
     pub rms: Vec<f64>,
+    /// What each observation's residuals look like.
+    pub looks: Vec<Look>,
+    /// Each observation's readings in either direction.
+    pub(super) averages: Vec<Averages>,
     /// How well the samples separate the base parameters.
     pub separation: Separation,
     /// The step of each observation.
@@ -91,47 +99,56 @@ pub struct Fit {
     sensitivity: [DMatrix<f64>; 2],
 }
 
-/// Fits `observations`; a run that was measured several times is there as often.
-///
-/// # Errors
-/// [`FitError`]
-pub fn fit(setup: &Setup, observations: &[Observation], estimator: Estimator) -> Result<Fit, FitError> {
-    fit_with(setup, observations, estimator, Variance::Residual)
+/// Why recordings give no estimate.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure<E> {
+    /// They do not determine one.
+    Fit(FitError),
+    /// They cannot be read.
+    Recording(E),
 }
 
-/// As [`fit`], with the variance of the readings from elsewhere.
+impl<E> From<FitError> for Failure<E> {
+    fn from(error: FitError) -> Self {
+        Self::Fit(error)
+    }
+}
+
+/// Fits `recordings`; a run that was measured several times is there as often. They are gone through twice, once for the factor
+/// and once for the residuals; `each` is called the second time for every sample, with its recording's position.
 ///
 /// # Errors
-/// [`FitError`]
-pub fn fit_with(
+/// [`Failure`]
+pub fn fit<R: Recording>(
     setup: &Setup,
-    observations: &[Observation],
+    recordings: &[R],
     estimator: Estimator,
     variance: Variance,
-) -> Result<Fit, FitError> {
-    let unordered =
-        |o: &&Observation| !setup.model.runs[o.run].nuisance.is_empty() && o.samples.iter().all(|s| s.direction == 0.0);
-    if let Some(observation) = observations.iter().find(unordered) {
-        return Err(FitError::NoDirection(observation.run));
+    each: impl FnMut(usize, &Sample),
+) -> Result<Fit, Failure<R::Error>> {
+    let unordered = |r: &&R| !setup.model.runs[r.run()].nuisance.is_empty() && !r.is_ordered();
+    if let Some(recording) = recordings.iter().find(unordered) {
+        return Err(FitError::NoDirection(recording.run()).into());
     }
-    let steps = steps(setup, observations, estimator)?;
-    let (base, columns) = columns(setup, observations, &steps);
+    let runs: Vec<RunId> = recordings.iter().map(Recording::run).collect();
+    let steps = steps(setup, &runs, estimator)?;
+    let (base, columns) = columns(setup, &runs, &steps);
     let mut problem = sized::estimator(&columns).ok_or(FitError::TooManyCoefficients(base.len()))?;
-    for (observation, &step) in observations.iter().zip(&steps) {
-        push(setup, observation, step, &base, &columns.of(step), problem.as_mut())?;
+    for (recording, &step) in recordings.iter().zip(&steps) {
+        push(setup, recording, step, &base, &columns.of(step), problem.as_mut())?;
     }
     let sigma = match variance {
         Variance::Residual => None,
         Variance::Known(std) => Some(std),
     };
     let named = |coefficients: &[usize]| coefficients.iter().map(|&i| base[i]).collect::<Vec<_>>();
-    let runs = |step: Step| observations.iter().zip(&steps).filter(|(_, s)| **s == step).map(|(o, _)| o.run).collect();
+    let of = |step: Step| runs.iter().zip(&steps).filter(|(_, s)| **s == step).map(|(run, _)| *run).collect();
     let solved = problem.solve(sigma).map_err(|e| match e {
         Unsolved::TooFew { step, samples, needed } => {
-            FitError::TooFewSamples { runs: runs(step), samples: samples as usize, needed }
+            FitError::TooFewSamples { runs: of(step), samples: samples as usize, needed }
         }
         Unsolved::Confounded { step, coefficients } => {
-            FitError::Confounded { runs: runs(step), base: named(&coefficients) }
+            FitError::Confounded { runs: of(step), base: named(&coefficients) }
         }
         Unsolved::NotFinite => FitError::NotFinite,
     })?;
@@ -144,35 +161,37 @@ pub fn fit_with(
         covariance: solved.covariance,
         degrees_of_freedom: solved.degrees_of_freedom,
         rms: Vec::new(),
+        looks: Vec::new(),
+        averages: Vec::new(),
         steps,
         sensitivity: solved.sensitivity,
         seen: Vec::new(),
     };
     let determined = setup.derivation.determined_by(&setup.model, &fit.base).map_err(FitError::Algebra)?;
     fit.seen = determined.into_iter().map(|d| Seen::new(setup, d)).collect();
-    fit.rms = observations.iter().map(|o| rms(setup, o, &fit)).collect();
+    fit.look(setup, recordings, each).map_err(Failure::Recording)?;
     Ok(fit)
 }
 
 /// The step of each observation: those that see an estimated function come second.
-fn steps(setup: &Setup, observations: &[Observation], estimator: Estimator) -> Result<Vec<Step>, FitError> {
+fn steps(setup: &Setup, runs: &[RunId], estimator: Estimator) -> Result<Vec<Step>, FitError> {
     let base = &setup.derivation.base;
     let sees_function =
-        |o: &Observation| setup.derivation.runs[o.run].regressors.iter().any(|(b, _)| base[*b].estimates.is_some());
+        |run: &RunId| setup.derivation.runs[*run].regressors.iter().any(|(b, _)| base[*b].estimates.is_some());
     match estimator {
-        Estimator::Joint => Ok(vec![Step::First; observations.len()]),
-        Estimator::TwoStep if observations.iter().all(sees_function) => Err(FitError::NoFirstStep),
+        Estimator::Joint => Ok(vec![Step::First; runs.len()]),
+        Estimator::TwoStep if runs.iter().all(sees_function) => Err(FitError::NoFirstStep),
         Estimator::TwoStep => {
-            Ok(observations.iter().map(|o| if sees_function(o) { Step::Second } else { Step::First }).collect())
+            Ok(runs.iter().map(|run| if sees_function(run) { Step::Second } else { Step::First }).collect())
         }
     }
 }
 
 /// The base parameters that the observations see, and which of them are the columns of each step.
-fn columns(setup: &Setup, observations: &[Observation], steps: &[Step]) -> (Vec<BaseId>, Columns) {
+fn columns(setup: &Setup, runs: &[RunId], steps: &[Step]) -> (Vec<BaseId>, Columns) {
     let seen = |step: Step, b: BaseId| {
-        let of = observations.iter().zip(steps).filter(|(_, s)| **s == step);
-        of.into_iter().any(|(o, _)| setup.derivation.runs[o.run].regressors.iter().any(|(c, _)| *c == b))
+        let mut of = runs.iter().zip(steps).filter(|(_, s)| **s == step);
+        of.any(|(run, _)| setup.derivation.runs[*run].regressors.iter().any(|(c, _)| *c == b))
     };
     let mut columns = Columns::default();
     let mut base = Vec::new();
@@ -191,35 +210,61 @@ fn columns(setup: &Setup, observations: &[Observation], steps: &[Step]) -> (Vec<
     (base, columns)
 }
 
-/// Takes the samples of an observation; `columns` are positions in `base`.
-fn push(
+/// Takes the samples of a recording, a block at a time; `columns` are positions in `base`.
+fn push<R: Recording>(
     setup: &Setup,
-    observation: &Observation,
+    recording: &R,
     step: Step,
     base: &[BaseId],
     columns: &[usize],
     problem: &mut dyn Estimate,
-) -> Result<(), FitError> {
-    let regressors = setup.derivation.runs[observation.run].regressors.iter();
+) -> Result<(), Failure<R::Error>> {
+    let regressors = setup.derivation.runs[recording.run()].regressors.iter();
     let places: Vec<Option<usize>> = regressors.map(|(b, _)| columns.iter().position(|&c| base[c] == *b)).collect();
-    let mut row = vec![0.0; columns.len()];
-    let mut evaluator = setup.row(observation.run);
-    for sample in &observation.samples {
-        let (regressors, factors) = evaluator.at(sample.sweep, sample.direction);
-        for (&x, place) in regressors.iter().zip(&places) {
-            if let Some(at) = place {
-                row[*at] = x;
+    let mut block = Collected { columns: vec![[0.0; ROWS]; columns.len()], y: [0.0; ROWS], rows: 0 };
+    let mut refused = false;
+    blocks(
+        setup,
+        recording,
+        |_| {},
+        |rows| {
+            block.take(rows, &places);
+            if block.rows + rows.samples() > ROWS {
+                refused |= block.push(step, recording.weight(), problem).is_err();
             }
-        }
-        let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
-        problem.push(step, &row, sample.reading - known, observation.weight).map_err(|_| FitError::NotFinite)?;
-    }
-    Ok(())
+        },
+    )
+    .map_err(Failure::Recording)?;
+    refused |= block.push(step, recording.weight(), problem).is_err();
+    if refused { Err(FitError::NotFinite.into()) } else { Ok(()) }
 }
 
-fn rms(setup: &Setup, observation: &Observation, fit: &Fit) -> f64 {
-    let sum: f64 = fit.residuals(setup, observation).iter().map(|e| e * e).sum();
-    (sum / observation.samples.len().max(1) as f64).sqrt()
+/// Rows on their way into a factor.
+struct Collected {
+    columns: Vec<Column<f64>>,
+    y: Column<f64>,
+    rows: usize,
+}
+
+impl Collected {
+    fn take(&mut self, rows: &Rows, places: &[Option<usize>]) {
+        let to = self.rows..self.rows + rows.samples();
+        for (x, place) in rows.regressors().zip(places) {
+            if let Some(at) = place {
+                self.columns[*at][to.clone()].copy_from_slice(&x[..rows.samples()]);
+            }
+        }
+        self.y[to].copy_from_slice(&rows.explained()[..rows.samples()]);
+        self.rows += rows.samples();
+    }
+
+    /// Hands the block on and is empty.
+    fn push(&mut self, step: Step, weight: f64, problem: &mut dyn Estimate) -> Result<(), Rejected> {
+        let rows = core::mem::take(&mut self.rows);
+        let pushed = problem.push(step, Block { columns: &mut self.columns, y: &mut self.y }, rows, weight);
+        self.columns.iter_mut().for_each(|column| column.fill(0.0));
+        pushed
+    }
 }
 
 impl Fit {
@@ -228,17 +273,51 @@ impl Fit {
         &self.seen
     }
 
+    /// Goes through the residuals.
+    fn look<R: Recording>(
+        &mut self,
+        setup: &Setup,
+        recordings: &[R],
+        mut each: impl FnMut(usize, &Sample),
+    ) -> Result<(), R::Error> {
+        for (at, recording) in recordings.iter().enumerate() {
+            let (mut looking, mut averages) = (Looking::default(), Averages::default());
+            let on_sample = |sample: &Sample| {
+                averages.add(sample);
+                each(at, sample);
+            };
+            self.residuals_of(setup, recording, on_sample, |residual| looking.add(residual))?;
+            let look = looking.look();
+            self.rms.push(look.rms);
+            self.looks.push(look);
+            self.averages.push(averages);
+        }
+        Ok(())
+    }
+
     /// Readings less what the estimate makes of them, mm, in the order of the samples.
     pub fn residuals(&self, setup: &Setup, observation: &Observation) -> Vec<f64> {
-        let places = self.places(setup, observation);
-        let mut evaluator = setup.row(observation.run);
-        let residual = |sample: &Sample| {
-            let (row, factors) = evaluator.at(sample.sweep, sample.direction);
-            let known: f64 = factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum();
-            let model: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * self.values[(*at)?])).sum();
-            sample.reading - known - model
-        };
-        observation.samples.iter().map(residual).collect()
+        let mut residuals = Vec::with_capacity(observation.samples.len());
+        let Ok(()) = self.residuals_of(setup, observation, |_| {}, |residual| residuals.push(residual));
+        residuals
+    }
+
+    fn residuals_of<R: Recording>(
+        &self,
+        setup: &Setup,
+        recording: &R,
+        on_sample: impl FnMut(&Sample),
+        mut each: impl FnMut(f64),
+    ) -> Result<(), R::Error> {
+        let places = self.places(setup, recording.run());
+        blocks(setup, recording, on_sample, |rows| {
+            let mut residuals = rows.explained();
+            for (x, at) in rows.regressors().zip(&places) {
+                let value = at.map_or(0.0, |at| self.values[at]);
+                residuals.iter_mut().zip(x).for_each(|(residual, x)| *residual -= x * value);
+            }
+            residuals.iter().take(rows.samples()).for_each(|&residual| each(residual));
+        })
     }
 
     /// An estimated function as these readings give it.
@@ -292,7 +371,7 @@ impl Fit {
         let moved = self.sensitivity.each_ref().map(|by| by.tr_mul(functional));
         let of = observations.iter().zip(&self.steps).map(|(observation, step)| {
             let moved = &moved[usize::from(*step == Step::Second)];
-            let places = self.places(setup, observation);
+            let places = self.places(setup, observation.run);
             let mut evaluator = setup.row(observation.run);
             let one = |s: &Sample| {
                 let (row, _) = evaluator.at(s.sweep, s.direction);
@@ -309,9 +388,9 @@ impl Fit {
         &self.sensitivity[usize::from(self.steps.get(observation) == Some(&Step::Second))]
     }
 
-    /// Where the base parameters that an observation sees are in `base`.
-    pub(super) fn places(&self, setup: &Setup, observation: &Observation) -> Vec<Option<usize>> {
-        let regressors = setup.derivation.runs[observation.run].regressors.iter();
+    /// Where the base parameters that a run sees are in `base`.
+    pub(super) fn places(&self, setup: &Setup, run: RunId) -> Vec<Option<usize>> {
+        let regressors = setup.derivation.runs[run].regressors.iter();
         regressors.map(|(b, _)| self.base.binary_search(b).ok()).collect()
     }
 

@@ -1,6 +1,6 @@
 //! Both directions of a run: the circular hysteresis (ISO 230-4, H).
 
-use super::fit::Observation;
+use super::fit::{Observation, Sample};
 use super::setup::Setup;
 use std::f64::consts::TAU;
 use trunnion_codegen::ids::RunId;
@@ -23,19 +23,41 @@ pub struct Hysteresis {
     pub mean: f64,
 }
 
-/// Every run that was measured in both directions.
-pub(super) fn hysteresis(setup: &Setup, observations: &[Observation]) -> Vec<Hysteresis> {
-    let of = |run: RunId| {
-        // Sums and counts of readings by direction and by step of the turn.
-        let mut sums = [vec![(0.0, 0usize); STEPS], vec![(0.0, 0); STEPS]];
-        for observation in observations.iter().filter(|o| o.run == run) {
-            for sample in observation.samples.iter().filter(|s| s.direction != 0.0) {
-                let direction = usize::from(sample.direction < 0.0);
-                let step = (sample.sweep.rem_euclid(TAU) / TAU * STEPS as f64) as usize % STEPS;
-                sums[direction][step].0 += sample.reading;
-                sums[direction][step].1 += 1;
-            }
+/// Readings of either direction, averaged over steps of a turn.
+#[derive(Clone, Debug)]
+pub(super) struct Averages([Vec<(f64, usize)>; 2]);
+
+impl Default for Averages {
+    fn default() -> Self {
+        Self([vec![(0.0, 0); STEPS], vec![(0.0, 0); STEPS]])
+    }
+}
+
+impl Averages {
+    pub fn add(&mut self, sample: &Sample) {
+        if sample.direction != 0.0 {
+            let step = (sample.sweep.rem_euclid(TAU) / TAU * STEPS as f64) as usize % STEPS;
+            let (sum, count) = &mut self.0[usize::from(sample.direction < 0.0)][step];
+            *sum += sample.reading;
+            *count += 1;
         }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        for ((sum, count), (other_sum, other_count)) in self.0.iter_mut().flatten().zip(other.0.iter().flatten()) {
+            *sum += other_sum;
+            *count += other_count;
+        }
+    }
+}
+
+/// Every run that was measured in both directions; `averages` are those of the observations.
+pub(super) fn hysteresis(setup: &Setup, observations: &[Observation], averages: &[Averages]) -> Vec<Hysteresis> {
+    let of = |run: RunId| {
+        let mut all = Averages::default();
+        let own = observations.iter().zip(averages).filter(|(o, _)| o.run == run);
+        own.for_each(|(_, averages)| all.merge(averages));
+        let Averages(sums) = all;
         let samples = [0, 1].map(|direction| sums[direction].iter().map(|(_, n)| n).sum());
         let differences: Vec<(usize, f64)> = (0..STEPS)
             .filter_map(|step| {

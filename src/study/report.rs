@@ -5,7 +5,9 @@ use super::curve::{Curve, curve};
 use super::fit::{Estimator, Fit, Observation};
 use super::hysteresis::{Hysteresis, hysteresis};
 use super::limits::ErrorLimits;
+use super::misfit::Look;
 use super::neglected::neglected;
+use super::recording::Few;
 use super::setup::{Setup, SetupError, coordinate};
 use super::warning::{Warning, warnings};
 use trunnion_codegen::algebra::{Nominal, Poly};
@@ -76,6 +78,28 @@ pub fn report(
     instrument: &Instrument,
     without_table: bool,
 ) -> Result<Report, SetupError> {
+    let standing = |(o, look): (&Observation, &Look)| {
+        let mut few = Few::default();
+        o.samples.iter().for_each(|sample| few.add(sample));
+        let Ok(standing) = few.standing_for(o, &look.spikes);
+        standing
+    };
+    let standing: Vec<Observation> = observations.iter().zip(&fit.looks).map(standing).collect();
+    report_on(setup, &standing, fit, limits, instrument, without_table)
+}
+
+/// As [`report`], of a fit of [recordings](super::fit_recorded): `observations` stand for all of their samples.
+///
+/// # Errors
+/// The same.
+pub fn report_on(
+    setup: &Setup,
+    observations: &[Observation],
+    fit: &Fit,
+    limits: ErrorLimits,
+    instrument: &Instrument,
+    without_table: bool,
+) -> Result<Report, SetupError> {
     let name = |b: BaseId| setup.derivation.base[b].name.clone();
     let sources = Sources::new(setup, observations, fit, limits, instrument, without_table);
     let coefficient = |(i, &b): (usize, &BaseId)| {
@@ -102,24 +126,24 @@ pub fn report(
         .iter()
         .filter_map(|f| curve(setup, observations, fit, &sources, f, &bounds, limits).transpose());
     let functions = curves.collect::<Result<Vec<Curve>, SetupError>>()?;
-    let run = |(i, (o, rms)): (usize, (&Observation, &f64))| {
+    let run = |(i, (o, look)): (usize, (&Observation, &Look))| {
         let times = observations.iter().filter(|other| other.run == o.run).count();
         let before = observations.iter().take(i).filter(|other| other.run == o.run).count();
         let number = if times > 1 { format!("/{}", before + 1) } else { String::new() };
-        (format!("{}{number}", setup.model.runs[o.run].name), o.samples.len(), Unit::Um.from_inner(*rms))
+        (format!("{}{number}", setup.model.runs[o.run].name), look.samples, Unit::Um.from_inner(look.rms))
     };
     Ok(Report {
         model: setup.model.name.clone(),
         estimator: fit.estimator,
         limits,
         instrument: *instrument,
-        runs: observations.iter().zip(&fit.rms).enumerate().map(run).collect(),
+        runs: observations.iter().zip(&fit.looks).enumerate().map(run).collect(),
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
         functions,
         condition: fit.separation.condition,
         neglected: bounds.iter().map(|b| Unit::Um.from_inner(b.iter().copied().fold(0.0, f64::max))).collect(),
         neglected_usual: sources.dropped().iter().map(|size| Unit::Um.from_inner(*size)).collect(),
-        hysteresis: hysteresis(setup, observations),
+        hysteresis: hysteresis(setup, observations, &fit.averages),
         warnings: warnings(setup, observations, fit, without_table, sources.dropped(), instrument.noise),
     })
 }

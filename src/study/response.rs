@@ -30,7 +30,7 @@ impl Fit {
         }
         let mut by = vec![0.0; count];
         for (at, observation) in observations.iter().enumerate() {
-            let places = self.places(setup, observation);
+            let places = self.places(setup, observation.run);
             let mut sum = DMatrix::zeros(self.base.len(), count);
             let mut evaluator = setup.row(observation.run);
             for sample in &observation.samples {

@@ -7,7 +7,7 @@ use trunnion_codegen::algebra::{ErrorId, Fraction, Nominal, NominalId, Poly, at,
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit;
 use trunnion_codegen::emit::model::motion;
-use trunnion_codegen::graph::{Evaluator, Tape, Unbound};
+use trunnion_codegen::graph::{BlockEvaluator, Evaluator, Tape, Unbound};
 use trunnion_codegen::identify::{BaseParameter, Coefficient, Derivation, DeriveError, Origin, derive};
 use trunnion_codegen::ids::{BaseId, FunctionId, ParameterId, RunId, TermId};
 use trunnion_codegen::model::{self, Axis, AxisKind, Model, Problem, ReadingKind};
@@ -171,6 +171,16 @@ impl Setup {
             outputs: vec![0.0; self.runs[run].outputs()],
             split: self.derivation.runs[run].regressors.len(),
         }
+    }
+
+    /// Evaluates a run's rows by blocks.
+    pub(super) fn block_evaluator(&self, run: RunId) -> BlockEvaluator<'_> {
+        self.runs[run].block_evaluator()
+    }
+
+    /// How many of a row's inputs are lengths; the sweep and how things move there come behind them.
+    pub(super) fn lengths(&self) -> usize {
+        self.constants.len()
     }
 
     /// What a run's row takes: the lengths, and room for the sweep and how things move there.

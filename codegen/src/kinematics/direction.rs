@@ -8,26 +8,65 @@ const PER_TURN: usize = 8;
 /// 1 at each sample where the sweep (rad) increases, −1 where it decreases; 0 everywhere where the samples are in no order in
 /// time. An angle that starts again at the end of a turn goes on, and a repeated one belongs to the way it was reached.
 pub fn directions(sweeps: &[f64]) -> Vec<f64> {
-    let step = |pair: &[f64]| match pair[1] - pair[0] {
-        by if by.abs() > PI && by.is_finite() => by - TAU * (by / TAU).round(),
-        by => by,
-    };
-    let mut directions: Vec<f64> = Vec::with_capacity(sweeps.len());
-    for pair in sweeps.windows(2) {
-        let by = step(pair);
-        let last = directions.last().copied().unwrap_or(0.0);
-        directions.push(if by == 0.0 { last } else { by.signum() });
+    let mut survey = Headings::default();
+    sweeps.iter().for_each(|&sweep| survey.add(sweep));
+    let mut heading = survey.start();
+    sweeps.iter().map(|&sweep| heading.at(sweep)).collect()
+}
+
+/// What a first look at the samples tells of their order.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Headings {
+    heading: Heading,
+    /// The first way that is known.
+    first: f64,
+    samples: usize,
+    turns: usize,
+}
+
+impl Headings {
+    /// The next sample's sweep, rad.
+    pub fn add(&mut self, sweep: f64) {
+        let before = self.heading.way;
+        let way = self.heading.at(sweep);
+        self.samples += 1;
+        self.turns += usize::from(before != 0.0 && way != before);
+        if self.first == 0.0 {
+            self.first = way;
+        }
     }
-    // A step leads to the sample behind it; what comes before the first one goes as it does.
-    let first = directions.iter().copied().find(|d| *d != 0.0).unwrap_or(0.0);
-    directions.iter_mut().take_while(|d| **d == 0.0).for_each(|d| *d = first);
-    directions.insert(0, first);
-    directions.truncate(sweeps.len());
-    let turns = directions.windows(2).filter(|pair| pair[0] != pair[1]).count();
-    if turns * PER_TURN > sweeps.len() {
-        directions.fill(0.0);
+
+    /// The heading before the first sample, for the second look; what comes before the first step goes as it does.
+    pub fn start(&self) -> Heading {
+        let ordered = self.turns * PER_TURN <= self.samples;
+        Heading { last: None, way: if ordered { self.first } else { 0.0 }, lost: !ordered }
     }
-    directions
+}
+
+/// Which way the sweep goes, sample by sample.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Heading {
+    last: Option<f64>,
+    way: f64,
+    /// The samples are in no order.
+    lost: bool,
+}
+
+impl Heading {
+    /// The way in which the next sample's sweep, rad, is reached; 0 where it is not known.
+    pub fn at(&mut self, sweep: f64) -> f64 {
+        if !self.lost {
+            let by = self.last.map_or(0.0, |last| match sweep - last {
+                by if by.abs() > PI && by.is_finite() => by - TAU * (by / TAU).round(),
+                by => by,
+            });
+            if by != 0.0 {
+                self.way = by.signum();
+            }
+            self.last = Some(sweep);
+        }
+        self.way
+    }
 }
 
 #[cfg(test)]

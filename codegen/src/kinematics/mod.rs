@@ -7,5 +7,5 @@ mod direction;
 mod exact;
 
 pub use chain::ball_positions;
-pub use direction::directions;
+pub use direction::{Heading, Headings, directions};
 pub use exact::{ErrorValues, ExactRun, Place};

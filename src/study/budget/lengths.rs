@@ -23,7 +23,7 @@ impl Lengths {
         let predicted = |s: &Setup, o: &Observation, sample: &Sample| {
             let mut row = s.row(o.run);
             let (regressors, factors) = row.at(sample.sweep, sample.direction);
-            let places = fit.places(s, o);
+            let places = fit.places(s, o.run);
             let base: f64 = regressors.iter().zip(places).filter_map(|(x, at)| Some(x * fit.values[at?])).sum();
             base + factors.iter().zip(&sample.known).map(|(f, k)| f * k).sum::<f64>()
         };

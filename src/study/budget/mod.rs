@@ -115,7 +115,7 @@ impl<'a> Sources<'a> {
             assumptions: Assumptions::new(setup, observations, fit),
             zeros: zeros(setup, observations),
             linearisation: linearisation(setup, observations, fit, limits),
-            alike: alike(setup, observations, fit),
+            alike: alike(fit),
         }
     }
 

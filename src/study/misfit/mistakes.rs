@@ -1,7 +1,8 @@
 //! The usual mistakes, made undone one after another.
 
 use super::noise::{Look, median_size};
-use crate::study::fit::{Estimator, Observation, Sample, fit};
+use crate::study::estimate::fit;
+use crate::study::fit::{Estimator, Observation, Sample};
 use crate::study::setup::Setup;
 use core::fmt;
 use rayon::prelude::*;

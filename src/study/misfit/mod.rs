@@ -4,7 +4,7 @@ mod mistakes;
 mod noise;
 
 pub use mistakes::Mistake;
-pub use noise::Look;
+pub use noise::{Look, Looking};
 
 use super::fit::{Fit, Observation};
 use super::setup::Setup;
@@ -44,13 +44,12 @@ pub fn misfit(
     noise: f64,
     without_table: bool,
 ) -> Option<Misfit> {
-    let odd = |(o, dropped): (&Observation, &f64)| {
-        let look = Look::at(&fit.residuals(setup, o));
+    let odd = |((o, look), dropped): ((&Observation, &Look), &f64)| {
         let times = (noise > 0.0).then(|| look.rms / noise.hypot(*dropped));
         let is_noise = look.is_noise(*dropped) && times.is_none_or(|times| times <= MORE);
-        (!is_noise).then(|| Odd { run: setup.model.runs[o.run].name.clone(), look, times })
+        (!is_noise).then(|| Odd { run: setup.model.runs[o.run].name.clone(), look: look.clone(), times })
     };
-    let runs: Vec<Odd> = observations.iter().zip(dropped).filter_map(odd).collect();
+    let runs: Vec<Odd> = observations.iter().zip(&fit.looks).zip(dropped).filter_map(odd).collect();
     if runs.is_empty() {
         return None;
     }
@@ -59,6 +58,6 @@ pub fn misfit(
 }
 
 /// By how much the scatter of the readings tells less than as many independent ones would: a variance's factor.
-pub fn alike(setup: &Setup, observations: &[Observation], fit: &Fit) -> f64 {
-    observations.iter().map(|o| Look::at(&fit.residuals(setup, o)).alike()).fold(1.0, f64::max)
+pub fn alike(fit: &Fit) -> f64 {
+    fit.looks.iter().map(Look::alike).fold(1.0, f64::max)
 }

@@ -1,11 +1,16 @@
 //! Whether residuals are noise: without memory from one to the next, and without single ones far out.
 
+use std::collections::BTreeSet;
+
 /// Standard deviations of a correlation of white noise above which residuals have a memory.
 const SIGNIFICANT: f64 = 5.0;
 /// Deviations, in units of the middle half, beyond which a residual is a spike.
 const FAR: f64 = 8.0;
 /// Above this correlation the effective number of samples is not worked out any more.
 const MOST: f64 = 0.95;
+
+/// Residuals far out that are kept, the furthest.
+const KEPT: usize = 64;
 
 /// What residuals look like, in the order of their sweep.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,29 +21,72 @@ pub struct Look {
     pub correlation: f64,
     /// How many standard deviations fewer changes of sign there are than white noise has (Wald and Wolfowitz' run test).
     pub runs: f64,
-    /// Positions of those far out.
+    /// Positions of those far out; of more than 64 the furthest.
     pub spikes: Vec<usize>,
+    /// Residuals there are.
+    pub samples: usize,
+}
+
+/// A look at residuals, one after the other.
+#[derive(Clone, Debug, Default)]
+pub struct Looking {
     samples: usize,
+    squares: f64,
+    neighbours: f64,
+    above: usize,
+    changes: usize,
+    last: f64,
+    sizes: Sizes,
+    /// The largest sizes with their positions, the smallest of them first.
+    largest: BTreeSet<(u64, usize)>,
+}
+
+impl Looking {
+    /// At the next residual, mm.
+    pub fn add(&mut self, residual: f64) {
+        if self.samples > 0 {
+            self.neighbours += self.last * residual;
+            self.changes += usize::from((self.last > 0.0) != (residual > 0.0));
+        }
+        self.squares += residual * residual;
+        self.above += usize::from(residual > 0.0);
+        self.last = residual;
+        self.sizes.add(residual.abs());
+        // Sizes of numbers are in the order of their bits.
+        let size = residual.abs().to_bits();
+        if self.largest.len() < KEPT || self.largest.first().is_some_and(|(least, _)| *least < size) {
+            self.largest.insert((size, self.samples));
+            if self.largest.len() > KEPT {
+                self.largest.pop_first();
+            }
+        }
+        self.samples += 1;
+    }
+
+    /// What was seen.
+    pub fn look(&self) -> Look {
+        let n = self.samples;
+        let correlation = if self.squares > 0.0 { self.neighbours / self.squares } else { 0.0 };
+        let above = self.above as f64;
+        let below = n as f64 - above;
+        let expected = 1.0 + 2.0 * above * below / n.max(1) as f64;
+        let variance = (expected - 1.0) * (expected - 2.0) / (n as f64 - 1.0).max(1.0);
+        let runs = if variance > 0.0 { (expected - (self.changes as f64 + 1.0)) / variance.sqrt() } else { 0.0 };
+        // The median of a normal distribution's sizes is 0.6745 of its deviation.
+        let far = FAR * self.sizes.median() / 0.6745;
+        let is_far = |(size, at): &(u64, usize)| (f64::from_bits(*size) > far && far > 0.0).then_some(*at);
+        let mut spikes: Vec<usize> = self.largest.iter().filter_map(is_far).collect();
+        spikes.sort_unstable();
+        Look { rms: (self.squares / n.max(1) as f64).sqrt(), correlation, runs, spikes, samples: n }
+    }
 }
 
 impl Look {
     /// At residuals in the order of their sweep.
     pub fn at(residuals: &[f64]) -> Self {
-        let n = residuals.len();
-        let squares: f64 = residuals.iter().map(|e| e * e).sum();
-        let neighbours: f64 = residuals.windows(2).map(|pair| pair[0] * pair[1]).sum();
-        let correlation = if squares > 0.0 { neighbours / squares } else { 0.0 };
-        let above = residuals.iter().filter(|e| **e > 0.0).count() as f64;
-        let below = n as f64 - above;
-        let changes = residuals.windows(2).filter(|pair| (pair[0] > 0.0) != (pair[1] > 0.0)).count() as f64 + 1.0;
-        let expected = 1.0 + 2.0 * above * below / n.max(1) as f64;
-        let variance = (expected - 1.0) * (expected - 2.0) / (n as f64 - 1.0).max(1.0);
-        let runs = if variance > 0.0 { (expected - changes) / variance.sqrt() } else { 0.0 };
-        // That of a normal distribution is 0.6745 of its deviation.
-        let scale = median_size(residuals.iter().copied()) / 0.6745;
-        let far = |(i, e): (usize, &f64)| (e.abs() > FAR * scale && scale > 0.0).then_some(i);
-        let spikes = residuals.iter().enumerate().filter_map(far).collect();
-        Self { rms: (squares / n.max(1) as f64).sqrt(), correlation, runs, spikes, samples: n }
+        let mut looking = Looking::default();
+        residuals.iter().for_each(|&residual| looking.add(residual));
+        looking.look()
     }
 
     /// Whether neighbours are alike, by both tests.
@@ -59,6 +107,46 @@ impl Look {
         }
         let r = self.correlation.min(MOST);
         (1.0 + r) / (1.0 - r)
+    }
+}
+
+/// How many sizes there are in each step of one part in 32: their median to 2 %, in constant memory.
+#[derive(Clone, Debug)]
+struct Sizes(Vec<u32>);
+
+/// Bits of a number that tell its step: its exponent, and five of its digits.
+const STEP_BITS: u32 = 52 - 5;
+/// The step of 2⁻¹⁰⁰: smaller sizes count as zero.
+const FIRST_STEP: u64 = (1023 - 100) << 5;
+/// Steps up to 2²⁸; larger sizes are in the last one.
+const STEPS: usize = 128 << 5;
+
+impl Default for Sizes {
+    fn default() -> Self {
+        Self(vec![0; STEPS])
+    }
+}
+
+impl Sizes {
+    fn add(&mut self, size: f64) {
+        let step = ((size.to_bits() >> STEP_BITS).saturating_sub(FIRST_STEP) as usize).min(STEPS - 1);
+        if let Some(count) = self.0.get_mut(step) {
+            *count = count.saturating_add(1);
+        }
+    }
+
+    /// The middle of the step in which the median is; 0 of none.
+    fn median(&self) -> f64 {
+        let half = self.0.iter().map(|&n| u64::from(n)).sum::<u64>() / 2;
+        let mut below = 0;
+        let step = self.0.iter().position(|&n| {
+            below += u64::from(n);
+            below > half
+        });
+        match step {
+            None | Some(0) => 0.0,
+            Some(step) => f64::from_bits((((step as u64 + FIRST_STEP) << 1) + 1) << (STEP_BITS - 1)),
+        }
     }
 }
 
@@ -89,5 +177,18 @@ mod tests {
             assert_eq!(Look::at(&spike).spikes, [77]);
         }
         assert_eq!((said, waves), (0, 2000));
+    }
+
+    #[test]
+    fn the_median_size_is_known_to_a_step() {
+        let mut random = ChaCha8Rng::seed_from_u64(4);
+        for scale in [1e-9, 1e-4, 3.0] {
+            let numbers: Vec<f64> = (0..1001).map(|_| scale * random.random_range(-1.0..=1.0)).collect();
+            let mut sizes = Sizes::default();
+            numbers.iter().for_each(|x| sizes.add(x.abs()));
+            let exact = median_size(numbers.into_iter());
+            assert!((sizes.median() / exact - 1.0).abs() < 0.02);
+        }
+        assert_eq!(Sizes::default().median(), 0.0);
     }
 }

@@ -1,0 +1,119 @@
+//! Rows of a run, many at a time.
+
+use super::observation::Sample;
+use super::recording::Recording;
+use super::setup::Setup;
+use trunnion_codegen::graph::{BlockEvaluator, LANES, Lanes};
+use trunnion_codegen::ids::RunId;
+use trunnion_solver::sized::{Work, vectorised};
+
+/// A block of samples with their rows.
+pub(super) struct Rows<'a> {
+    setup: &'a Setup,
+    run: RunId,
+    evaluator: BlockEvaluator<'a>,
+    regressors: usize,
+    samples: usize,
+    readings: Lanes,
+    /// Values of each known function.
+    known: Vec<Lanes>,
+    /// One sample's inputs.
+    inputs: Vec<f64>,
+}
+
+/// Runs the tape on whatever the processor has.
+struct Evaluate<'a, 'b>(&'a mut BlockEvaluator<'b>);
+
+impl Work for Evaluate<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn work(self) {
+        self.0.evaluate();
+    }
+}
+
+impl<'a> Rows<'a> {
+    pub fn new(setup: &'a Setup, run: RunId) -> Self {
+        let derived = &setup.derivation.runs[run];
+        let mut evaluator = setup.block_evaluator(run);
+        let inputs = setup.inputs(run);
+        for (lanes, &input) in evaluator.inputs().iter_mut().zip(&inputs) {
+            lanes.fill(input);
+        }
+        Self {
+            setup,
+            run,
+            evaluator,
+            regressors: derived.regressors.len(),
+            samples: 0,
+            readings: [0.0; LANES],
+            known: vec![[0.0; LANES]; derived.known.len()],
+            inputs,
+        }
+    }
+
+    /// Samples in the block.
+    pub fn samples(&self) -> usize {
+        self.samples
+    }
+
+    /// The regressors of the base parameters that the run sees, in the derivation's order, each at every sample.
+    pub fn regressors(&self) -> impl Iterator<Item = &Lanes> {
+        (0..self.regressors).filter_map(|at| self.evaluator.output(at))
+    }
+
+    /// Each sample's reading less what the known functions put into it.
+    pub fn explained(&self) -> Lanes {
+        let mut explained = self.readings;
+        for (at, known) in self.known.iter().enumerate() {
+            let Some(factors) = self.evaluator.output(self.regressors + at) else { continue };
+            for (y, (factor, known)) in explained.iter_mut().zip(factors.iter().zip(known)) {
+                *y -= factor * known;
+            }
+        }
+        explained
+    }
+
+    fn take(&mut self, sample: &Sample) {
+        let lane = self.samples;
+        self.setup.place(self.run, &mut self.inputs, sample.sweep, sample.direction);
+        let first = self.setup.lengths();
+        for (lanes, &input) in self.evaluator.inputs().iter_mut().zip(&self.inputs).skip(first) {
+            lanes[lane] = input;
+        }
+        self.readings[lane] = sample.reading;
+        for (lanes, &known) in self.known.iter_mut().zip(&sample.known) {
+            lanes[lane] = known;
+        }
+        self.samples += 1;
+    }
+
+    fn evaluate(&mut self) {
+        vectorised(Evaluate(&mut self.evaluator));
+    }
+}
+
+/// Calls `on_sample` for every sample of a recording, and `each` for the rows of every block of them, in order.
+pub(super) fn blocks<R: Recording>(
+    setup: &Setup,
+    recording: &R,
+    mut on_sample: impl FnMut(&Sample),
+    mut each: impl FnMut(&Rows),
+) -> Result<(), R::Error> {
+    let mut rows = Rows::new(setup, recording.run());
+    recording.each(&mut |sample| {
+        on_sample(sample);
+        rows.take(sample);
+        if rows.samples == LANES {
+            rows.evaluate();
+            each(&rows);
+            rows.samples = 0;
+        }
+    })?;
+    if rows.samples > 0 {
+        rows.evaluate();
+        each(&rows);
+    }
+    Ok(())
+}
