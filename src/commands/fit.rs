@@ -7,9 +7,9 @@ use super::stated::{InstrumentArguments, LimitArguments};
 use super::{Refused, document};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
-use trunnion::data::RunFiles;
+use trunnion::data::{ObservationsError, RunFiles};
 use trunnion::study::plan::subset;
-use trunnion::study::{Estimator, SetupError, fit, report, weigh};
+use trunnion::study::{Estimator, Failed, SetupError, fit_recorded, report_on, weigh};
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::Model;
 
@@ -69,14 +69,18 @@ impl FitArguments {
         let files = RunFiles::new(&setup, &given)?;
         let weights = self.weights()?;
         let (limits, instrument) = (self.limits.limits(&setup), self.instrument.instrument(&setup.model)?);
-        let mut observations = files.read(&setup, self.table.as_deref())?;
-        weigh(&setup, &mut observations, &weights).map_err(|e| Refused::weight(&e, &self.weights))?;
+        let mut recorded = files.open(&setup, self.table.as_deref())?;
+        weigh(&setup, &mut recorded, &weights).map_err(|e| Refused::weight(&e, &self.weights))?;
         let file = |run: &str| {
             let files = |run| files.files(run).map(|file| file.display().to_string()).collect::<Vec<_>>();
             setup.run(run).map_or_else(|| run.to_owned(), |run| files(run).join(", "))
         };
-        let fitted = fit(&setup, &observations, self.estimator.into()).map_err(|e| e.rename(file))?;
-        let report = report(&setup, &observations, &fitted, limits, &instrument, self.table.is_none())?;
+        let fitted = fit_recorded(&setup, &recorded, self.estimator.into());
+        let (fitted, observations) = fitted.map_err(|failed| match failed {
+            Failed::Estimate(e) => Refused::from(e.rename(file)),
+            Failed::Recording(e) => ObservationsError::from(e).into(),
+        })?;
+        let report = report_on(&setup, &observations, &fitted, limits, &instrument, self.table.is_none())?;
         for warning in &report.warnings {
             say(format_args!("warning: {warning}"));
         }

@@ -3,8 +3,9 @@
 /// Bytes of a line, or of a field in quotes that goes over several.
 pub const LINE: usize = 1 << 16;
 /// Lines of a file, comments and empty ones counted.
-pub const LINES: u64 = 10_000_000;
-/// Samples of all runs together that are fitted or simulated at once, as each is kept until the report is made; nodes of a table.
+pub const LINES: u64 = 100_000_000;
+/// Samples of all runs together that are kept in memory: simulated ones, and those of a file that can be read only once, as a
+/// pipe; nodes of a table.
 pub const SAMPLES: usize = 300_000;
 /// Touches of a ring: the search for its minimum zone takes their number's third power.
 pub const TOUCHES: usize = 1_000;

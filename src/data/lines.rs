@@ -37,10 +37,11 @@ pub(crate) struct Lines {
 impl Lines {
     /// Opens a file with a header of these columns, in any order; `-` is standard input.
     pub fn open(file: &Path, wanted: &[Wanted]) -> Result<Self, FileError> {
-        let source = match file.to_str() {
-            Some("-") => Ok(Box::new(io::stdin()) as Box<dyn Read>),
-            _ => File::open(file).map(|file| Box::new(file) as Box<dyn Read>),
-        };
+        Self::from(file, source(file), wanted)
+    }
+
+    /// As [`Lines::open`], of what was opened already.
+    pub fn from(file: &Path, source: io::Result<Box<dyn Read>>, wanted: &[Wanted]) -> Result<Self, FileError> {
         let opened = source.map_err(FileProblem::from).and_then(|source| {
             let mut records = Records::new(source);
             let (header, columns) = header(&mut records, wanted)?;
@@ -108,6 +109,14 @@ impl Iterator for Lines {
             }
         });
         Some(line)
+    }
+}
+
+/// Opens a file; `-` is standard input.
+pub(super) fn source(file: &Path) -> io::Result<Box<dyn Read>> {
+    match file.to_str() {
+        Some("-") => Ok(Box::new(io::stdin())),
+        _ => Ok(Box::new(File::open(file)?)),
     }
 }
 

@@ -9,10 +9,12 @@
 
 mod columns;
 mod error;
+mod known;
 pub mod limits;
 mod lines;
 mod output;
 mod radius;
+mod recorded;
 mod records;
 mod runs;
 mod simulated;
@@ -27,6 +29,7 @@ pub use error::{BadLines, FieldProblem, FileError, FileProblem, HeaderProblem, L
 pub(crate) use lines::{Line, Lines};
 pub use output::{Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture};
 pub use radius::{Radius, RadiusError};
+pub use recorded::Recorded;
 pub use runs::{ObservationsError, RunFiles, observations};
 pub use simulated::{simulation_files, write_simulation};
 pub use sweep::{Sweep, SweepSample};

@@ -1,22 +1,22 @@
 //! From the files of a measurement to what is fitted.
 
-use super::error::FileError;
+use super::error::{FileError, FileProblem, Need};
+use super::known::{KnownAlong, KnownTable};
 use super::limits::SAMPLES;
-use super::sweep::{RunColumns, Sweep};
-use super::table::{Known, Table, TableValues};
-use crate::study::{Observation, Sample, Setup};
+use super::recorded::Recorded;
+use super::sweep::RunColumns;
+use crate::study::{Observation, Recording, Setup};
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 use thiserror::Error;
-use trunnion_codegen::algebra::{Monomial, Poly, Rational, at};
-use trunnion_codegen::basis::Coordinate;
-use trunnion_codegen::emit::model::known_name;
-use trunnion_codegen::ids::{FunctionId, RunId};
-use trunnion_codegen::kinematics::directions;
+use trunnion_codegen::ids::RunId;
 
 /// The readings' column of a run with a file of its own, without the unit.
 const READING: &str = "dr";
 /// The readings' columns of a file with all three displacements.
 const CHANNELS: [&str; 3] = ["dx", "dy", "dz"];
+/// Those beside each of them.
+const OTHERS: [&[&str]; 3] = [&["dy", "dz"], &["dx", "dz"], &["dx", "dy"]];
 /// How the runs of three displacements end.
 const ENDINGS: [&str; 3] = ["-x", "-y", "-z"];
 
@@ -100,18 +100,32 @@ impl RunFiles {
         self.0.iter().filter(move |(own, _)| *own == run).map(|(_, source)| source.file.as_path())
     }
 
-    /// Reads every run, [`SAMPLES`] in all at most, each with weight 1; the known functions are those of the table, or zero without one.
+    /// Goes through every run once, each with weight 1; the known functions are those of the table, or zero without one.
     ///
     /// # Errors
     /// [`ObservationsError`] for a file that cannot be used, or a known function that no table can give.
+    pub fn open<'a>(&self, setup: &'a Setup, table: Option<&Path>) -> Result<Vec<Recorded<'a>>, ObservationsError> {
+        let table = table.map(|file| KnownTable::read(setup, file)).transpose()?.map(Rc::new);
+        self.0.iter().map(|(run, source)| recorded(setup, *run, source, table.as_ref())).collect()
+    }
+
+    /// Reads every run into memory, [`SAMPLES`] in all at most.
+    ///
+    /// # Errors
+    /// As [`RunFiles::open`].
     pub fn read(&self, setup: &Setup, table: Option<&Path>) -> Result<Vec<Observation>, ObservationsError> {
-        let table = table.map(|file| KnownTable::read(setup, file)).transpose()?;
-        let mut read: Vec<Observation> = Vec::with_capacity(self.0.len());
-        for (run, source) in &self.0 {
-            let before: usize = read.iter().map(|observation| observation.samples.len()).sum();
-            read.push(observation(setup, *run, source, SAMPLES - before, table.as_ref())?);
+        let recorded = self.open(setup, table)?;
+        if recorded.iter().map(Recorded::samples).sum::<usize>() > SAMPLES {
+            let problem = FileProblem::TooMany { most: SAMPLES, of: Need::Coefficients };
+            let file = self.0.last().map_or_else(PathBuf::new, |(_, source)| source.file.clone());
+            return Err(FileError { file, problem }.into());
         }
-        Ok(read)
+        let read = |recorded: &Recorded| {
+            let mut samples = Vec::with_capacity(recorded.samples());
+            recorded.each(&mut |sample| samples.push(sample.clone()))?;
+            Ok(Observation { run: recorded.run(), weight: recorded.weight(), samples })
+        };
+        recorded.iter().map(read).collect()
     }
 }
 
@@ -128,105 +142,25 @@ pub fn observations<P: AsRef<Path>>(
     RunFiles::new(setup, files)?.read(setup, table)
 }
 
-fn observation(
-    setup: &Setup,
+/// A run's file, gone through once.
+fn recorded<'a>(
+    setup: &'a Setup,
     run: RunId,
     source: &Source,
-    most: usize,
-    table: Option<&KnownTable>,
-) -> Result<Observation, ObservationsError> {
+    table: Option<&Rc<KnownTable>>,
+) -> Result<Recorded<'a>, ObservationsError> {
     let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
-    let others: Vec<&str> = match source.column {
-        READING => Vec::new(),
-        own => CHANNELS.into_iter().filter(|column| *column != own).collect(),
-    };
-    let expected = RunColumns {
+    let columns = RunColumns {
         angle: setup.model.alphabet.sweep_name(described.sweep),
         reading: source.column,
-        others: &others,
+        others: match CHANNELS.iter().position(|column| *column == source.column) {
+            Some(own) => OTHERS[own],
+            None => &[],
+        },
         bar_mm: setup.bar(run),
         least: derived.regressors.len() + 1,
-        most,
     };
-    let sweep = Sweep::read_as(&source.file, &expected)?;
-    let known = match table.filter(|_| !derived.known.is_empty()) {
-        Some(table) => table.at_samples(setup, run, &sweep)?,
-        None => {
-            let zero = vec![0.0; derived.known.len()];
-            vec![TableValues { values: zero.clone(), stds: zero }; sweep.samples().len()]
-        }
-    };
-    let sweeps: Vec<f64> = sweep.samples().iter().map(|s| s.angle_rad).collect();
-    let samples = sweep.samples().iter().zip(directions(&sweeps)).zip(known);
-    let samples = samples
-        .map(|((s, direction), TableValues { values, stds })| Sample {
-            sweep: s.angle_rad,
-            direction,
-            reading: s.reading_mm,
-            known: values,
-            known_std: stds,
-        })
-        .collect();
-    Ok(Observation { run, weight: 1.0, samples })
-}
-
-/// The known functions that the runs see, and what their table calls the swept angle: as the first run that sees one does.
-pub(super) fn known_functions(setup: &Setup) -> Option<(&str, Vec<FunctionId>)> {
-    let sees = setup.derivation.runs.iter_enumerated().find(|(_, run)| !run.known.is_empty());
-    let angle = setup.model.alphabet.sweep_name(setup.model.runs[sees?.0].sweep);
-    Some((angle, setup.known(setup.derivation.runs.keys())))
-}
-
-/// The coordinate of an axis that stands, rad or mm.
-fn fixed(setup: &Setup, coordinate: &Coordinate) -> Option<f64> {
-    let poly = coordinate.poly()?;
-    let alphabet = &setup.model.alphabet;
-    let moves = |(m, _): &(Monomial, Rational)| {
-        alphabet.nominals().any(|(id, _)| m.exponent(id) != 0 && !alphabet.is_constant(id))
-    };
-    (!poly.terms().iter().any(moves)).then(|| at(poly, alphabet, 0.0, |name| setup.constant(name)))
-}
-
-/// The table of all known functions that the runs see.
-struct KnownTable {
-    table: Table,
-    functions: Vec<FunctionId>,
-}
-
-impl KnownTable {
-    fn read(setup: &Setup, file: &Path) -> Result<Self, ObservationsError> {
-        let (angle, functions) = known_functions(setup).unwrap_or(("a", Vec::new()));
-        for (run, &f) in setup.model.runs.iter().flat_map(|r| functions.iter().map(move |f| (r, f))) {
-            let Some((axis, _)) = setup.model.axis_of(setup.model.functions[f].error) else { continue };
-            let own = setup.model.alphabet.sweep_symbols(run.sweep)[0];
-            let is_sweep = |c: &Coordinate| c.poly().is_none_or(|p| *p == Poly::nominal(own));
-            if !is_sweep(&run.at[axis]) && fixed(setup, &run.at[axis]).is_none() {
-                let axis = setup.model.axis(axis).map_or_else(String::new, |axis| axis.name.clone());
-                return Err(ObservationsError::TableCoordinate { function: known_name(&setup.model, f), axis });
-            }
-        }
-        let known = |&f: &FunctionId| Known { name: known_name(&setup.model, f), quantity: setup.quantity(f) };
-        let table = Table::read(file, angle, &functions.iter().map(known).collect::<Vec<_>>())?;
-        Ok(Self { table, functions })
-    }
-
-    /// At each sample of a run the values of these functions, mm or rad.
-    fn at_samples(&self, setup: &Setup, run: RunId, sweep: &Sweep) -> Result<Vec<TableValues>, FileError> {
-        let functions = setup.derivation.runs[run].known.iter();
-        // An axis that stands has the table's value where it stands.
-        let place = |f: &FunctionId| {
-            let (axis, _) = setup.model.axis_of(setup.model.functions[*f].error)?;
-            let standing = fixed(setup, &setup.model.runs[run].at[axis]);
-            Some((self.functions.iter().position(|own| own == f)?, standing.and_then(|x| self.table.at(x))))
-        };
-        let places: Vec<(usize, Option<TableValues>)> = functions.filter_map(|(f, _)| place(f)).collect();
-        let all = self.table.at_samples(sweep)?.samples;
-        let own = |moving: &TableValues, of: fn(&TableValues) -> &[f64]| {
-            let one = |(at, standing): &(usize, Option<TableValues>)| {
-                of(standing.as_ref().unwrap_or(moving)).get(*at).copied()
-            };
-            places.iter().filter_map(one).collect()
-        };
-        Ok(all.iter().map(|t| TableValues { values: own(t, |t| &t.values), stds: own(t, |t| &t.stds) }).collect())
-    }
+    let table = table.filter(|_| !derived.known.is_empty());
+    let known = table.map_or_else(KnownAlong::default, |table| table.along(setup, run));
+    Ok(Recorded::open(setup, run, &source.file, columns, known)?)
 }

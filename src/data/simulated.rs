@@ -1,7 +1,7 @@
 //! The files of a simulation: `RUN.csv`, `table.csv`, `truth.json`.
 
+use super::known::known_functions;
 use super::output::{Files, Guard, INDEX, WriteError, WriteProblem};
-use super::runs::known_functions;
 use super::sweep::Sweep;
 use super::table::{Known, Table};
 use super::truth::{Truth, TruthFunction};

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need};
 use super::limits::SAMPLES;
-use super::lines::Lines;
+use super::lines::{Line, Lines};
 use super::output::{WriteError, WriteProblem, write_atomically};
 use super::radius::Radius;
 use super::written::written;
@@ -53,8 +53,6 @@ pub(super) struct RunColumns<'a> {
     pub bar_mm: Option<f64>,
     /// Samples needed.
     pub least: usize,
-    /// Samples that can be kept.
-    pub most: usize,
 }
 
 impl Sweep {
@@ -67,31 +65,14 @@ impl Sweep {
     /// turns; where there are fewer than `least` angles, or more than [`SAMPLES`]; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        Self::read_as(
-            file,
-            &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least, most: SAMPLES },
-        )
+        Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least })
     }
 
-    /// As [`Sweep::read`] with other columns, perhaps without a bar.
-    pub(super) fn read_as(file: &Path, expected: &RunColumns) -> Result<Self, FileError> {
-        let RunColumns { angle, reading, others, bar_mm, least, most } = *expected;
-        let length = |name| Wanted::new(name, deviation(Quantity::Length));
-        let wanted: Vec<Wanted> = [Wanted::new(angle, SWEEP), length(reading)]
-            .into_iter()
-            .chain(others.iter().map(|name| length(name)))
-            .collect();
-        let lines = Lines::open(file, &wanted)?;
-        let mut names = lines.columns().iter().map(|column| column.name().to_owned());
-        let names = [names.next(), names.next()].map(Option::unwrap_or_default);
-        let samples: Vec<SweepSample> = lines.all(most, Need::Coefficients, |line| match line.values.as_slice() {
-            [angle, reading, ..] => Some(SweepSample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
-            _ => None,
-        })?;
-        match check(&samples, bar_mm, least, names) {
-            Some(problem) => Err(FileError { file: file.to_owned(), problem }),
-            None => Ok(Self { file: file.to_owned(), samples }),
-        }
+    fn read_as(file: &Path, expected: &RunColumns) -> Result<Self, FileError> {
+        let mut samples = Vec::new();
+        let lines = Lines::open(file, &expected.wanted())?;
+        check(lines, expected, SAMPLES, |sample| samples.push(sample))?;
+        Ok(Self { file: file.to_owned(), samples })
     }
 
     /// A run that comes from elsewhere (a simulation), with lines as [`Sweep::write`] gives them; pairs of angle in rad
@@ -140,28 +121,110 @@ impl Sweep {
     }
 }
 
-fn check(
-    samples: &[SweepSample],
-    bar_mm: Option<f64>,
-    least: usize,
-    [angle, reading]: [String; 2],
-) -> Option<FileProblem> {
-    let angle_rad = samples.iter().map(|sample| sample.angle_rad.abs()).fold(0.0, f64::max);
-    if angle_rad > MOST_TURNS * TAU {
-        return Some(FileProblem::ManyTurns { angle_rad, most: MOST_TURNS, column: angle });
+impl<'a> RunColumns<'a> {
+    /// The columns, the angle's and the readings' first.
+    pub fn wanted(&self) -> Vec<Wanted<'a>> {
+        let length = |name| Wanted::new(name, deviation(Quantity::Length));
+        let others = self.others.iter().map(|name| length(name));
+        [Wanted::new(self.angle, SWEEP), length(self.reading)].into_iter().chain(others).collect()
     }
-    // Repeated angles are data, but tell nothing more of the shape. Adding zero makes one of the two zeros.
-    let angles: HashSet<u64> = samples.iter().map(|sample| (sample.angle_rad + 0.0).to_bits()).collect();
-    if angles.len() < least {
-        return Some(FileProblem::TooFew { present: angles.len(), needed: least, why: Need::Coefficients });
+
+    /// The sample on a line of these columns.
+    pub fn sample(line: &Line) -> Option<SweepSample> {
+        match line.values.as_slice() {
+            [angle, reading, ..] => Some(SweepSample { angle_rad: *angle, reading_mm: *reading, line: line.line }),
+            _ => None,
+        }
     }
-    let median_mm = median(samples.iter().map(|sample| sample.reading_mm.abs()).collect())?;
-    if median_mm <= BEYOND_STROKE_MM {
-        let stray = samples.iter().filter(|sample| sample.reading_mm.abs() > BEYOND_STROKE_MM).map(|sample| {
-            LineProblem { line: sample.line, problem: FieldProblem::BeyondStroke { reading_mm: sample.reading_mm } }
-        });
-        BadLines::of(stray).map(FileProblem::Lines)
-    } else {
+}
+
+/// Goes through the samples of a run, `most` of them at most, and refuses what no ball-bar gives.
+pub(super) fn check(
+    lines: Lines,
+    expected: &RunColumns,
+    most: usize,
+    mut each: impl FnMut(SweepSample),
+) -> Result<(), FileError> {
+    let file = lines.file().to_owned();
+    let fail = |problem| FileError { file: file.clone(), problem };
+    let mut names = lines.columns().iter().map(|column| column.name().to_owned());
+    let [angle, reading] = [names.next(), names.next()].map(Option::unwrap_or_default);
+    let mut seen = Seen::default();
+    for line in lines {
+        let Some(sample) = RunColumns::sample(&line?) else { continue };
+        if seen.samples == most {
+            return Err(fail(FileProblem::TooMany { most, of: Need::Coefficients }));
+        }
+        seen.add(sample, expected.least);
+        each(sample);
+    }
+    seen.problem(expected, angle, reading).map_or(Ok(()), |problem| Err(fail(problem)))
+}
+
+/// Sizes of readings that are kept for their median, at most.
+const SIZES: usize = 1 << 12;
+
+/// What was seen of a run's samples, in constant memory.
+#[derive(Default)]
+struct Seen {
+    samples: usize,
+    farthest: f64,
+    /// Different angles, until there are enough.
+    angles: HashSet<u64>,
+    /// Readings within twice the stroke.
+    within: usize,
+    stray: Option<BadLines>,
+    /// Sizes of every so many-th reading.
+    sizes: Vec<f64>,
+    step: usize,
+}
+
+impl Seen {
+    fn add(&mut self, sample: SweepSample, least: usize) {
+        self.farthest = self.farthest.max(sample.angle_rad.abs());
+        // Repeated angles are data, but tell nothing more of the shape. Adding zero makes one of the two zeros.
+        if self.angles.len() < least {
+            self.angles.insert((sample.angle_rad + 0.0).to_bits());
+        }
+        let size = sample.reading_mm.abs();
+        if size <= BEYOND_STROKE_MM {
+            self.within += 1;
+        } else {
+            let problem = FieldProblem::BeyondStroke { reading_mm: sample.reading_mm };
+            let problem = LineProblem { line: sample.line, problem };
+            match &mut self.stray {
+                None => self.stray = Some(BadLines::new(problem)),
+                Some(stray) => stray.add(problem),
+            }
+        }
+        self.step = self.step.max(1);
+        if self.sizes.len() == SIZES {
+            let mut position = 0;
+            self.sizes.retain(|_| {
+                position += 1;
+                position % 2 == 1
+            });
+            self.step *= 2;
+        }
+        if self.samples.is_multiple_of(self.step) {
+            self.sizes.push(size);
+        }
+        self.samples += 1;
+    }
+
+    fn problem(self, expected: &RunColumns, angle: String, reading: String) -> Option<FileProblem> {
+        let RunColumns { bar_mm, least, .. } = *expected;
+        if self.farthest > MOST_TURNS * TAU {
+            return Some(FileProblem::ManyTurns { angle_rad: self.farthest, most: MOST_TURNS, column: angle });
+        }
+        if self.angles.len() < least {
+            return Some(FileProblem::TooFew { present: self.angles.len(), needed: least, why: Need::Coefficients });
+        }
+        // The median, the upper one of two, is within the stroke.
+        if self.within > self.samples / 2 {
+            return self.stray.map(FileProblem::Lines);
+        }
+        let median_mm = median(self.sizes)?;
         let near = |mm: &f64| (median_mm - mm).abs() <= BEYOND_STROKE_MM.max(mm / 100.0);
         Some(match bar_mm.filter(near) {
             Some(radius_mm) => FileProblem::AbsoluteLengths { median_mm, near_mm: median_mm.round(), radius_mm },

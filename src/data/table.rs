@@ -118,6 +118,12 @@ impl Table {
         (angle(self.nodes.first()), angle(self.nodes.last()))
     }
 
+    /// Whether there are values at an angle, rad.
+    pub(super) fn covers(&self, angle_rad: f64) -> bool {
+        let (first, last) = self.range_rad();
+        self.repeats || (first..=last).contains(&angle_rad)
+    }
+
     /// The functions' values (mm or rad) at an angle in rad: a node's own at a node, linear between; none outside.
     pub fn at(&self, angle_rad: f64) -> Option<TableValues> {
         let (first, last) = (self.nodes.first()?, self.nodes.last()?);

@@ -62,5 +62,5 @@ pub use told::Told;
 pub use trunnion_solver::sized::LARGEST;
 pub use visited::{marks, visited};
 pub use warning::{WARN_CONDITION, Warning};
-pub use weigh::{WeightError, weigh};
+pub use weigh::{Weighed, WeightError, weigh};
 pub use weights::Weights;

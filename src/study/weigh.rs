@@ -1,6 +1,7 @@
 //! Weights of runs.
 
 use super::fit::Observation;
+use super::recording::Recording;
 use super::setup::Setup;
 use thiserror::Error;
 use trunnion_codegen::ids::RunId;
@@ -28,12 +29,24 @@ pub enum WeightError {
     OutOfRange(String, f64),
 }
 
-/// Gives the observations of runs the weights by these runs' names: one over the variance of a reading, up to a common factor.
+/// A recording whose samples can be given a weight.
+pub trait Weighed: Recording {
+    /// Gives them one.
+    fn weigh(&mut self, weight: f64);
+}
+
+impl Weighed for Observation {
+    fn weigh(&mut self, weight: f64) {
+        self.weight = weight;
+    }
+}
+
+/// Gives recordings of runs the weights by these runs' names: one over the variance of a reading, up to a common factor.
 /// Those without one keep theirs.
 ///
 /// # Errors
 /// [`WeightError`]
-pub fn weigh(setup: &Setup, observations: &mut [Observation], weights: &[(&str, f64)]) -> Result<(), WeightError> {
+pub fn weigh<W: Weighed>(setup: &Setup, runs: &mut [W], weights: &[(&str, f64)]) -> Result<(), WeightError> {
     let mut weighed: Vec<RunId> = Vec::new();
     for &(name, weight) in weights {
         let Some(run) = setup.run(name) else {
@@ -47,7 +60,7 @@ pub fn weigh(setup: &Setup, observations: &mut [Observation], weights: &[(&str, 
             return Err(WeightError::Twice(name.to_owned()));
         }
         weighed.push(run);
-        observations.iter_mut().filter(|o| o.run == run).for_each(|o| o.weight = weight);
+        runs.iter_mut().filter(|own| own.run() == run).for_each(|own| own.weigh(weight));
     }
     Ok(())
 }

@@ -53,6 +53,11 @@ pub struct Heading {
 }
 
 impl Heading {
+    /// Whether a way is known.
+    pub fn is_known(&self) -> bool {
+        self.way != 0.0
+    }
+
     /// The way in which the next sample's sweep, rad, is reached; 0 where it is not known.
     pub fn at(&mut self, sweep: f64) -> f64 {
         if !self.lost {

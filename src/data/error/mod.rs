@@ -115,6 +115,9 @@ pub enum FileProblem {
     /// More than [`LINES`] lines.
     #[error("more than {LINES} lines\n  expected a file with an end: divide it, or leave out samples")]
     ManyLines,
+    /// A file that was another when it was read again.
+    #[error("has changed while it was read\n  expected a file that stays as it is: copy it first")]
+    Changed,
     /// More samples, nodes or touches than can be kept at once.
     #[error("more than {most} {what}\n  expected fewer: leave out samples that lie next to others", what = .of.counted())]
     TooMany {
