@@ -22,6 +22,12 @@ pub fn report(report: &Report, radius_mm: Option<f64>) -> Value {
         "runs": runs.collect::<Map<_, _>>(),
         "coefficients": coefficients.collect::<Vec<_>>(),
         "functions": report.functions.iter().map(curve).collect::<Vec<_>>(),
+        "weighed_down": report.weighed_down.iter().map(|(run, down)| json!({
+            "run": run,
+            "samples": down.samples,
+            "scale_um": Unit::Um.from_inner(down.scale),
+            "most": down.most.iter().map(|(at, w)| json!({ "at_deg": at.to_degrees(), "weight": w })).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
         "hysteresis": report.hysteresis.iter().map(|h| json!({
             "run": h.run,
             "samples": h.samples,

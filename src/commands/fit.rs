@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use trunnion::data::{ObservationsError, RunFiles};
 use trunnion::study::plan::subset;
-use trunnion::study::{Estimator, Failed, SetupError, fit_recorded, report_on, weigh};
+use trunnion::study::{Estimator, Failed, How, SetupError, fit_recorded, report_on, weigh};
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::Model;
 
@@ -30,6 +30,9 @@ pub struct FitArguments {
     /// How the runs are combined.
     #[arg(long, value_enum, default_value_t = Combine::Joint)]
     estimator: Combine,
+    /// Weigh readings down that are far off the others (those beyond 1.345 robust standard deviations, by Huber's weights).
+    #[arg(long, value_enum, value_name = "HOW")]
+    robust: Option<Robust>,
     /// Weight of a run's samples: one over the variance of its readings, up to a common factor (between runs fitted in one
     /// step: the two steps of two-step do not weigh each other).
     #[arg(long = "weight", value_name = "NAME=W")]
@@ -50,6 +53,13 @@ pub enum Combine {
     Joint,
     /// The runs without an estimated function first, the paper's way.
     TwoStep,
+}
+
+/// A robust estimator's name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Robust {
+    /// Huber's.
+    Huber,
 }
 
 impl From<Combine> for Estimator {
@@ -75,7 +85,9 @@ impl FitArguments {
             let files = |run| files.files(run).map(|file| file.display().to_string()).collect::<Vec<_>>();
             setup.run(run).map_or_else(|| run.to_owned(), |run| files(run).join(", "))
         };
-        let fitted = fit_recorded(&setup, &recorded, self.estimator.into());
+        let robust = self.robust == Some(Robust::Huber);
+        let how = How { estimator: self.estimator.into(), robust, ..How::default() };
+        let fitted = fit_recorded(&setup, &recorded, how);
         let (fitted, observations) = fitted.map_err(|failed| match failed {
             Failed::Estimate(e) => Refused::from(e.rename(file)),
             Failed::Recording(e) => ObservationsError::from(e).into(),

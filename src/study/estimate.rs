@@ -1,6 +1,6 @@
 //! An estimate, or why there is none in the names that a person knows: inside, runs and coefficients are positions.
 
-use super::fit::{self as solved, Estimator, Failure, Fit, FitError, Observation, Variance};
+use super::fit::{self as solved, Estimator, Failure, Fit, FitError, How, Observation, Variance};
 use super::recording::{Few, Recording};
 use super::setup::Setup;
 use core::fmt;
@@ -108,7 +108,8 @@ pub fn fit_with(
     estimator: Estimator,
     variance: Variance,
 ) -> Result<Fit, EstimateError> {
-    solved::fit(setup, observations, estimator, variance, |_, _| {}).map_err(|failure| match failure {
+    let how = How { estimator, variance, robust: false };
+    solved::fit(setup, observations, how, |_, _| {}).map_err(|failure| match failure {
         Failure::Fit(error) => EstimateError::named(setup, error),
         Failure::Recording(never) => match never {},
     })
@@ -122,10 +123,10 @@ pub fn fit_with(
 pub fn fit_recorded<R: Recording>(
     setup: &Setup,
     recordings: &[R],
-    estimator: Estimator,
+    how: How,
 ) -> Result<(Fit, Vec<Observation>), Failed<R::Error>> {
     let mut few: Vec<Few> = recordings.iter().map(|_| Few::default()).collect();
-    let fit = solved::fit(setup, recordings, estimator, Variance::Residual, |at, sample| few[at].add(sample));
+    let fit = solved::fit(setup, recordings, how, |at, sample| few[at].add(sample));
     let fit = fit.map_err(|failure| match failure {
         Failure::Fit(error) => Failed::Estimate(EstimateError::named(setup, error)),
         Failure::Recording(error) => Failed::Recording(error),

@@ -4,10 +4,12 @@
 //! then the others with those coefficients put in, their covariance carried along
 //! ([`Order`](trunnion_solver::lstsq::Order)).
 
+use super::fill::fill;
 use super::hysteresis::Averages;
 use super::misfit::{Look, Looking};
 pub use super::observation::{Observation, Sample};
 use super::recording::Recording;
+use super::robust::{WeighedDown, weigh_down};
 use super::rows::{Rows, blocks};
 use super::seen::Seen;
 use super::separation::Separation;
@@ -15,9 +17,10 @@ use super::setup::Setup;
 use super::weights::Weights;
 use nalgebra::{DMatrix, DVector};
 use trunnion_codegen::algebra::AlgebraError;
+use trunnion_codegen::graph::Lanes;
 use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
-use trunnion_solver::lstsq::{Rejected, Step};
-use trunnion_solver::sized::{self, Block, Column, Columns, Estimate, ROWS, Unsolved};
+use trunnion_solver::lstsq::Step;
+use trunnion_solver::sized::{self, Columns, Unsolved};
 
 /// How the runs are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -37,6 +40,17 @@ pub enum Variance {
     Residual,
     /// The square of this standard deviation, mm.
     Known(f64),
+}
+
+/// How a fit is made.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct How {
+    /// How the runs are combined.
+    pub estimator: Estimator,
+    /// Where the readings' variance comes from.
+    pub variance: Variance,
+    /// Readings far off the others are weighed down (Huber); their variance is then from the residuals.
+    pub robust: bool,
 }
 
 /// Why there is no estimate.
@@ -91,12 +105,14 @@ pub struct Fit {
     pub(super) averages: Vec<Averages>,
     /// How well the samples separate the base parameters.
     pub separation: Separation,
+    /// What was weighed down in each observation; none of a fit that is not robust.
+    pub weighed_down: Vec<WeighedDown>,
     /// The step of each observation.
     steps: Vec<Step>,
     /// The estimated functions as `base` gives them.
     seen: Vec<Seen>,
     /// By how much a sample of each step moves the base parameters, in the order of `base`.
-    sensitivity: [DMatrix<f64>; 2],
+    pub(super) sensitivity: [DMatrix<f64>; 2],
 }
 
 /// Why recordings give no estimate.
@@ -122,10 +138,10 @@ impl<E> From<FitError> for Failure<E> {
 pub fn fit<R: Recording>(
     setup: &Setup,
     recordings: &[R],
-    estimator: Estimator,
-    variance: Variance,
+    how: How,
     each: impl FnMut(usize, &Sample),
 ) -> Result<Fit, Failure<R::Error>> {
+    let How { estimator, variance, robust } = how;
     let unordered = |r: &&R| !setup.model.runs[r.run()].nuisance.is_empty() && !r.is_ordered();
     if let Some(recording) = recordings.iter().find(unordered) {
         return Err(FitError::NoDirection(recording.run()).into());
@@ -135,7 +151,7 @@ pub fn fit<R: Recording>(
     let (base, columns) = columns(setup, &runs, &steps);
     let mut problem = sized::estimator(&columns).ok_or(FitError::TooManyCoefficients(base.len()))?;
     for (recording, &step) in recordings.iter().zip(&steps) {
-        push(setup, recording, step, &base, &columns.of(step), problem.as_mut())?;
+        fill(setup, recording, step, &base, &columns.of(step), problem.as_mut())?;
     }
     let sigma = match variance {
         Variance::Residual => None,
@@ -163,12 +179,16 @@ pub fn fit<R: Recording>(
         rms: Vec::new(),
         looks: Vec::new(),
         averages: Vec::new(),
+        weighed_down: Vec::new(),
         steps,
         sensitivity: solved.sensitivity,
         seen: Vec::new(),
     };
     let determined = setup.derivation.determined_by(&setup.model, &fit.base).map_err(FitError::Algebra)?;
     fit.seen = determined.into_iter().map(|d| Seen::new(setup, d)).collect();
+    if robust {
+        fit.weighed_down = weigh_down(setup, recordings, &mut fit, &columns, problem.as_ref())?;
+    }
     fit.look(setup, recordings, each).map_err(Failure::Recording)?;
     Ok(fit)
 }
@@ -210,63 +230,6 @@ fn columns(setup: &Setup, runs: &[RunId], steps: &[Step]) -> (Vec<BaseId>, Colum
     (base, columns)
 }
 
-/// Takes the samples of a recording, a block at a time; `columns` are positions in `base`.
-fn push<R: Recording>(
-    setup: &Setup,
-    recording: &R,
-    step: Step,
-    base: &[BaseId],
-    columns: &[usize],
-    problem: &mut dyn Estimate,
-) -> Result<(), Failure<R::Error>> {
-    let regressors = setup.derivation.runs[recording.run()].regressors.iter();
-    let places: Vec<Option<usize>> = regressors.map(|(b, _)| columns.iter().position(|&c| base[c] == *b)).collect();
-    let mut block = Collected { columns: vec![[0.0; ROWS]; columns.len()], y: [0.0; ROWS], rows: 0 };
-    let mut refused = false;
-    blocks(
-        setup,
-        recording,
-        |_| {},
-        |rows| {
-            block.take(rows, &places);
-            if block.rows + rows.samples() > ROWS {
-                refused |= block.push(step, recording.weight(), problem).is_err();
-            }
-        },
-    )
-    .map_err(Failure::Recording)?;
-    refused |= block.push(step, recording.weight(), problem).is_err();
-    if refused { Err(FitError::NotFinite.into()) } else { Ok(()) }
-}
-
-/// Rows on their way into a factor.
-struct Collected {
-    columns: Vec<Column<f64>>,
-    y: Column<f64>,
-    rows: usize,
-}
-
-impl Collected {
-    fn take(&mut self, rows: &Rows, places: &[Option<usize>]) {
-        let to = self.rows..self.rows + rows.samples();
-        for (x, place) in rows.regressors().zip(places) {
-            if let Some(at) = place {
-                self.columns[*at][to.clone()].copy_from_slice(&x[..rows.samples()]);
-            }
-        }
-        self.y[to].copy_from_slice(&rows.explained()[..rows.samples()]);
-        self.rows += rows.samples();
-    }
-
-    /// Hands the block on and is empty.
-    fn push(&mut self, step: Step, weight: f64, problem: &mut dyn Estimate) -> Result<(), Rejected> {
-        let rows = core::mem::take(&mut self.rows);
-        let pushed = problem.push(step, Block { columns: &mut self.columns, y: &mut self.y }, rows, weight);
-        self.columns.iter_mut().for_each(|column| column.fill(0.0));
-        pushed
-    }
-}
-
 impl Fit {
     /// The estimated functions as these readings give them.
     pub fn functions(&self) -> &[Seen] {
@@ -287,7 +250,11 @@ impl Fit {
                 each(at, sample);
             };
             self.residuals_of(setup, recording, on_sample, |residual| looking.add(residual))?;
-            let look = looking.look();
+            let mut look = looking.look();
+            if !self.weighed_down.is_empty() {
+                // They are told as what was weighed down.
+                look.spikes.clear();
+            }
             self.rms.push(look.rms);
             self.looks.push(look);
             self.averages.push(averages);
@@ -311,13 +278,23 @@ impl Fit {
     ) -> Result<(), R::Error> {
         let places = self.places(setup, recording.run());
         blocks(setup, recording, on_sample, |rows| {
-            let mut residuals = rows.explained();
-            for (x, at) in rows.regressors().zip(&places) {
-                let value = at.map_or(0.0, |at| self.values[at]);
-                residuals.iter_mut().zip(x).for_each(|(residual, x)| *residual -= x * value);
-            }
-            residuals.iter().take(rows.samples()).for_each(|&residual| each(residual));
+            self.residual(rows, &places).iter().take(rows.samples()).for_each(|&residual| each(residual));
         })
+    }
+
+    /// Residuals of a block; `places` are those of its run's base parameters.
+    pub(super) fn residual(&self, rows: &Rows, places: &[Option<usize>]) -> Lanes {
+        let mut residuals = rows.explained();
+        for (x, at) in rows.regressors().zip(places) {
+            let value = at.map_or(0.0, |at| self.values[at]);
+            residuals.iter_mut().zip(x).for_each(|(residual, x)| *residual -= x * value);
+        }
+        residuals
+    }
+
+    /// The step of an observation.
+    pub(super) fn step(&self, observation: usize) -> Step {
+        self.steps.get(observation).copied().unwrap_or(Step::First)
     }
 
     /// An estimated function as these readings give it.
@@ -385,7 +362,7 @@ impl Fit {
 
     /// By how much a reading of an observation moves the base parameters, times its weight and its row.
     pub(super) fn sensitivity_of(&self, observation: usize) -> &DMatrix<f64> {
-        &self.sensitivity[usize::from(self.steps.get(observation) == Some(&Step::Second))]
+        &self.sensitivity[usize::from(self.step(observation) == Step::Second)]
     }
 
     /// Where the base parameters that a run sees are in `base`.

@@ -8,6 +8,7 @@ use super::limits::ErrorLimits;
 use super::misfit::Look;
 use super::neglected::neglected;
 use super::recording::Few;
+use super::robust::WeighedDown;
 use super::setup::{Setup, SetupError, coordinate};
 use super::warning::{Warning, warnings};
 use trunnion_codegen::algebra::{Nominal, Poly};
@@ -39,6 +40,8 @@ pub struct Report {
     pub neglected: Vec<f64>,
     /// Per run, what it drops of all orders: not more on 95 % of the machines within the limits, µm.
     pub neglected_usual: Vec<f64>,
+    /// What was weighed down of each run's readings; none without that.
+    pub weighed_down: Vec<(String, WeighedDown)>,
     /// The runs that were measured in both directions.
     pub hysteresis: Vec<Hysteresis>,
     /// What to be wary of.
@@ -126,23 +129,27 @@ pub fn report_on(
         .iter()
         .filter_map(|f| curve(setup, observations, fit, &sources, f, &bounds, limits).transpose());
     let functions = curves.collect::<Result<Vec<Curve>, SetupError>>()?;
-    let run = |(i, (o, look)): (usize, (&Observation, &Look))| {
-        let times = observations.iter().filter(|other| other.run == o.run).count();
-        let before = observations.iter().take(i).filter(|other| other.run == o.run).count();
+    let called = |i: usize| {
+        let own = observations.get(i).map(|o| o.run);
+        let of_run = |o: &&Observation| Some(o.run) == own;
+        let times = observations.iter().filter(of_run).count();
+        let before = observations.iter().take(i).filter(of_run).count();
         let number = if times > 1 { format!("/{}", before + 1) } else { String::new() };
-        (format!("{}{number}", setup.model.runs[o.run].name), look.samples, Unit::Um.from_inner(look.rms))
+        own.map_or(number.clone(), |run| format!("{}{number}", setup.model.runs[run].name))
     };
+    let run = |(i, look): (usize, &Look)| (called(i), look.samples, Unit::Um.from_inner(look.rms));
     Ok(Report {
         model: setup.model.name.clone(),
         estimator: fit.estimator,
         limits,
         instrument: *instrument,
-        runs: observations.iter().zip(&fit.looks).enumerate().map(run).collect(),
+        runs: fit.looks.iter().enumerate().map(run).collect(),
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
         functions,
         condition: fit.separation.condition,
         neglected: bounds.iter().map(|b| Unit::Um.from_inner(b.iter().copied().fold(0.0, f64::max))).collect(),
         neglected_usual: sources.dropped().iter().map(|size| Unit::Um.from_inner(*size)).collect(),
+        weighed_down: fit.weighed_down.iter().cloned().enumerate().map(|(i, down)| (called(i), down)).collect(),
         hysteresis: hysteresis(setup, observations, &fit.averages),
         warnings: warnings(setup, observations, fit, without_table, sources.dropped(), instrument.noise),
     })

@@ -25,6 +25,17 @@ impl fmt::Display for Report {
                 "  linearisation drops up to {usual:.3} µm on 95 % of machines; second order never over {second:.3} µm"
             )?;
         }
+        for (run, down) in &self.weighed_down {
+            write!(
+                f,
+                "run {run}: {} samples weighed down (Huber, robust deviation {:.3} µm)",
+                down.samples,
+                Unit::Um.from_inner(down.scale)
+            )?;
+            let most = down.most.iter().map(|(at, w)| format!("{:.1}° to {w:.2}", at.to_degrees()));
+            let most: Vec<String> = most.collect();
+            writeln!(f, "{}{}", if most.is_empty() { "" } else { ", the most at " }, most.join(", "))?;
+        }
         for h in &self.hysteresis {
             let [largest, mean] = [h.largest, h.mean].map(|x| Unit::Um.from_inner(x));
             let [up, down] = h.samples;

@@ -4,7 +4,8 @@ mod mistakes;
 mod noise;
 
 pub use mistakes::Mistake;
-pub use noise::{Look, Looking};
+pub use noise::Look;
+pub(super) use noise::{Looking, Sizes};
 
 use super::fit::{Fit, Observation};
 use super::setup::Setup;

@@ -112,7 +112,7 @@ impl Look {
 
 /// How many sizes there are in each step of one part in 32: their median to 2 %, in constant memory.
 #[derive(Clone, Debug)]
-struct Sizes(Vec<u32>);
+pub struct Sizes(Vec<u32>);
 
 /// Bits of a number that tell its step: its exponent, and five of its digits.
 const STEP_BITS: u32 = 52 - 5;
@@ -128,7 +128,8 @@ impl Default for Sizes {
 }
 
 impl Sizes {
-    fn add(&mut self, size: f64) {
+    /// Another size.
+    pub fn add(&mut self, size: f64) {
         let step = ((size.to_bits() >> STEP_BITS).saturating_sub(FIRST_STEP) as usize).min(STEPS - 1);
         if let Some(count) = self.0.get_mut(step) {
             *count = count.saturating_add(1);
@@ -136,7 +137,7 @@ impl Sizes {
     }
 
     /// The middle of the step in which the median is; 0 of none.
-    fn median(&self) -> f64 {
+    pub fn median(&self) -> f64 {
         let half = self.0.iter().map(|&n| u64::from(n)).sum::<u64>() / 2;
         let mut below = 0;
         let step = self.0.iter().position(|&n| {
