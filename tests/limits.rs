@@ -110,7 +110,7 @@ fn what_has_no_end_is_refused() {
             &format!("fit tilting-table-a --run tilting=- {other}"),
             "a line of more",
         ),
-        ("yes '' |", &format!("fit tilting-table-a --run tilting=- {other}"), "more than 10000000 lines"),
+        ("yes '' |", &format!("fit tilting-table-a --run tilting=- {other}"), "more than 20000000 lines"),
         (
             "(echo a_deg,dr_um; yes 1,2) |",
             &format!("fit tilting-table-a --run tilting=- {other}"),
@@ -127,7 +127,7 @@ fn what_has_no_end_is_refused() {
             "and 995 more",
         ),
         (&format!("(echo {touches}; yes 17,200,-168,0) |"), "exechon ring -", "more than 1000 touches"),
-        (&format!("(echo {poses}; yes x) |"), "exechon ik -", "more than 10000000 lines"),
+        (&format!("(echo {poses}; yes x) |"), "exechon ik -", "more than 20000000 lines"),
     ] {
         refused(at, before, arguments, told);
     }

@@ -1,7 +1,7 @@
 //! The known functions of a model from their table, along its runs.
 
 use super::error::FileProblem;
-use super::runs::ObservationsError;
+use super::refused::ObservationsError;
 use super::table::{Known, Table, TableValues};
 use crate::study::{Sample, Setup};
 use std::path::Path;

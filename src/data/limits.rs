@@ -3,7 +3,9 @@
 /// Bytes of a line, or of a field in quotes that goes over several.
 pub const LINE: usize = 1 << 16;
 /// Lines of a file, comments and empty ones counted.
-pub const LINES: u64 = 100_000_000;
+pub const LINES: u64 = 20_000_000;
+/// Bytes of a file that can be read only once.
+pub const KEPT: usize = 1 << 26;
 /// Samples of all runs together that are kept in memory: simulated ones, and those of a file that can be read only once, as a
 /// pipe; nodes of a table.
 pub const SAMPLES: usize = 300_000;

@@ -2,7 +2,7 @@
 
 use super::error::{FileError, FileProblem};
 use super::known::KnownAlong;
-use super::limits::SAMPLES;
+use super::limits::{KEPT, SAMPLES};
 use super::lines::{Lines, source};
 use super::sweep::{RunColumns, check};
 use crate::study::{Recording, Sample, Setup, Weighed};
@@ -81,7 +81,11 @@ struct Keeping {
 impl Read for Keeping {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let read = self.source.read(buffer)?;
-        self.bytes.borrow_mut().extend_from_slice(&buffer[..read]);
+        let mut bytes = self.bytes.borrow_mut();
+        if bytes.len() + read > KEPT {
+            return Err(io::ErrorKind::FileTooLarge.into());
+        }
+        bytes.extend_from_slice(&buffer[..read]);
         Ok(read)
     }
 }

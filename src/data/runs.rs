@@ -4,11 +4,11 @@ use super::error::{FileError, FileProblem, Need};
 use super::known::{KnownAlong, KnownTable};
 use super::limits::SAMPLES;
 use super::recorded::Recorded;
+use super::refused::ObservationsError;
 use super::sweep::RunColumns;
 use crate::study::{Observation, Recording, Setup};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
-use thiserror::Error;
 use trunnion_codegen::ids::RunId;
 
 /// The readings' column of a run with a file of its own, without the unit.
@@ -19,43 +19,6 @@ const CHANNELS: [&str; 3] = ["dx", "dy", "dz"];
 const OTHERS: [&[&str]; 3] = [&["dy", "dz"], &["dx", "dz"], &["dx", "dy"]];
 /// How the runs of three displacements end.
 const ENDINGS: [&str; 3] = ["-x", "-y", "-z"];
-
-/// Why files are no measurement of a model.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ObservationsError {
-    /// A file cannot be used.
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// The model has no such run.
-    #[error("the model has no run `{run}`\n  expected {}", .runs.join(", "))]
-    UnknownRun {
-        /// The name given.
-        run: String,
-        /// The runs of the model.
-        runs: Vec<String>,
-    },
-    /// A run has no file.
-    #[error("run `{0}` is not given\n  expected a file for every run of the model")]
-    RunMissing(String),
-    /// A known function is one of a coordinate that the files do not have.
-    #[error(
-        "function {function} depends on axis {axis}, which is not the swept angle; tables over other coordinates are not read\n  expected a fit without --table, or a model in which it is assumed or estimated"
-    )]
-    TableCoordinate {
-        /// Its name in a table.
-        function: String,
-        /// The axis' name.
-        axis: String,
-    },
-}
-
-impl ObservationsError {
-    pub(crate) fn unknown_run(setup: &Setup, run: &str) -> Self {
-        let runs = setup.model.runs.iter().map(|run| run.name.clone()).collect();
-        Self::UnknownRun { run: run.to_owned(), runs }
-    }
-}
 
 /// The files of every run of a model: one for each time that it was measured.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,8 +1,9 @@
 //! An estimate, or why there is none in the names that a person knows: inside, runs and coefficients are positions.
 
-use super::fit::{self as solved, Estimator, Failure, Fit, FitError, How, Observation, Variance};
+use super::fit::{Estimator, Failure, Fit, FitError, How, Observation, Variance};
 use super::recording::{Few, Recording};
 use super::setup::Setup;
+use super::solved;
 use core::fmt;
 use thiserror::Error;
 use trunnion_codegen::algebra::AlgebraError;

@@ -13,9 +13,9 @@ use super::misfit::Sizes;
 use super::recording::Recording;
 use super::rows::blocks;
 use super::setup::Setup;
+use super::weighed_down::WeighedDown;
 use std::collections::BTreeSet;
 use trunnion_codegen::graph::LANES;
-use trunnion_codegen::ids::RunId;
 use trunnion_solver::sized::{self, Columns};
 
 /// Huber's k.
@@ -26,19 +26,6 @@ const ROUNDS: usize = 60;
 const SETTLED: f64 = 1e-6;
 /// Readings that are named, those weighed down most.
 const NAMED: usize = 8;
-
-/// What was weighed down in a recording.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WeighedDown {
-    /// The run.
-    pub run: RunId,
-    /// Readings with a weight below one.
-    pub samples: usize,
-    /// Robust standard deviation of the residuals, mm.
-    pub scale: f64,
-    /// Those weighed down most: sweep (rad) and weight, the least first.
-    pub most: Vec<(f64, f64)>,
-}
 
 /// A pass over a recording.
 #[derive(Default)]

@@ -1,17 +1,80 @@
 #!/usr/bin/env bash
-# The fit of both runs side by side, one core, the same readings. Usage: run.sh [SAMPLES]
+# The fit beside other tools, one core, the same readings for all: the tables of README.md. Usage: run.sh [OUTPUT]
 set -euo pipefail
 cd "$(dirname "$0")"
-samples=${1:-36000}
+output=${1:-/dev/stdout}
 python=${PYTHON:-}
 if [[ -z $python ]]; then
     python3 -m venv "${TMPDIR:-/tmp}/trunnion-peers-fit"
     python=${TMPDIR:-/tmp}/trunnion-peers-fit/bin/python
-    "$python" -m pip install --quiet numpy scipy
+    "$python" -m pip install --quiet numpy scipy pandas mpmath
 fi
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 RAYON_NUM_THREADS=1
 cargo build --release --quiet --manifest-path rust/Cargo.toml
-binary=$(cargo metadata --format-version 1 --no-deps --manifest-path rust/Cargo.toml | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')/release/peers-fit
+cargo build --release --quiet --manifest-path ../../../Cargo.toml
+target() { cargo metadata --format-version 1 --no-deps --manifest-path "$1" | sed 's/.*"target_directory":"\([^"]*\)".*/\1/'; }
+binary=$(target rust/Cargo.toml)/release/peers-fit
+trunnion=$(target ../../../Cargo.toml)/release/trunnion
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+one() { taskset -c 0 "$@"; }
+
+solvers() {
+    echo "| | samples a run | ns for a sample of both runs | of nalgebra's QR | largest relative error of a coefficient |"
+    echo "|---|---:|---:|---:|---:|"
+    for samples in 360 3600 36000 360000; do
+        # 50 digits of more samples take minutes.
+        exact=$work/$samples
+        if [[ $samples -le 36000 ]]; then "$python" exact.py paper "$samples" >"$exact"; else printf 'nan\n%.0s' {1..13} >"$exact"; fi
+        { one "$binary" solve "$samples" "$exact"; one "$python" numpy_scipy.py "$samples" "$exact"; } | sed 's/nan/–/I' |
+            awk -F, -v n="$samples" 'NR == 1 { base = $2 } { printf "| %s | %d | %.1f | %.2f | %s |\n", $1, n, $2, $2 / base, $3 }'
+    done
+}
+
+# Wall time (the median of five) and peak memory of a command.
+measured() {
+    for _ in 1 2 3 4 5; do
+        one /usr/bin/time -f '%e %M' -o "$work/time" "$@" >/dev/null 2>&1
+        cat "$work/time"
+    done | sort -n | awk '{ wall[NR] = $1; if ($2 > memory) memory = $2 } END { printf "%.2f s, %.0f MB", wall[3], memory / 1024 }'
+}
+
+files() {
+    "$python" - "$1" "$work" <<'PYTHON'
+import sys
+import numpy as np
+n, where = int(sys.argv[1]), sys.argv[2]
+a = 360 * np.arange(n) / n
+t = np.radians(a)
+noise = np.random.default_rng(1).uniform(-0.1, 0.1, (2, n))
+readings = {"tilting": 5 * np.sin(t) - 3 * np.cos(t) + 2, "separation": 4 * np.cos(t) + 2 * np.sin(t) * np.cos(t)}
+for (name, y), e in zip(readings.items(), noise):
+    np.savetxt(f"{where}/{name}.csv", np.c_[a, y + e], fmt="%.6f", delimiter=",", header="a_deg,dr_um", comments="")
+PYTHON
+}
+
+command() {
+    echo "| rows of each file | \`trunnion fit\`, all of the report | pandas and NumPy: coefficients, covariance, curve |"
+    echo "|---:|---:|---:|"
+    for rows in 360 36000 1000000; do
+        files "$rows"
+        own=$(measured "$trunnion" fit tilting-table-a --radius 150 --estimator two-step --run "tilting=$work/tilting.csv" --run "separation=$work/separation.csv")
+        other=$(measured "$python" script.py "$work/tilting.csv" "$work/separation.csv")
+        echo "| $rows | $own | $other |"
+    done
+}
+
 {
-    taskset -c 0 "$binary" "$samples"
-    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 taskset -c 0 "$python" numpy_scipy.py "$samples"
-} | awk -F, 'NR == 1 { base = $2 } { printf "%-34s %8.1f ns a sample of each run  %5.2f of the first   eps_xa(90 deg) %s urad\n", $1, $2, $2 / base, $3 }'
+    solvers
+    echo
+    command
+    echo
+    echo "| unknowns | blocked, ns a row | nalgebra's QR |"
+    echo "|---:|---:|---:|"
+    one "$binary" grow | awk -F, '{ printf "| %d | %s | %s |\n", $1, $2, $3 }'
+    echo
+    "$python" exact.py strd ../../../tests/reference/strd "$work/strd"
+    echo "| set, shifted and scaled | blocked, f64 | nalgebra's QR | NumPy, lstsq |"
+    echo "|---|---:|---:|---:|"
+    one "$binary" digits "$work/strd" | awk -F, '{ printf "| %s | %s | %s | %s |\n", $1, $2, $3, $4 }'
+} >"$output"

@@ -38,7 +38,8 @@ impl<T: Real, const P: usize> Solution<T, P> {
     pub fn std(&self) -> SVector<T, P> {
         let mut std = [T::zero(); P];
         for (i, (std, column)) in std.iter_mut().zip(&self.covariance.data.0).enumerate() {
-            *std = column.get(i).map_or(T::zero(), |v| v.sqrt());
+            // Rounding can take a vanishing variance below zero.
+            *std = column.get(i).map_or(T::zero(), |v| v.max(T::zero()).sqrt());
         }
         SVector::from(std)
     }

@@ -1,0 +1,73 @@
+//! Both runs of the paper in two steps: rows built from the angles, everything fitted.
+
+use crate::blocked::Model;
+use crate::dense::{self, RADIUS};
+use crate::time;
+use nalgebra::DVector;
+use std::fs;
+use trunnion::Setup;
+use trunnion::study::{self, Estimator, Observation, Sample};
+use trunnion_solver::tilting::{Joint, Lengths, TwoStep};
+
+/// The largest error of a coefficient, as a share of it.
+fn error(values: &[f64], exact: &[f64]) -> f64 {
+    values.iter().zip(exact).map(|(v, e)| ((v - e) / e).abs()).fold(0.0, f64::max)
+}
+
+pub fn run(samples: usize, exact: &str) {
+    let exact: Vec<f64> =
+        fs::read_to_string(exact).expect("a file").split_whitespace().map(|v| v.parse().expect("a number")).collect();
+    let (angles, readings) = dense::data(samples);
+    let show = |name: &str, ns: f64, error: f64| println!("{name},{:.1},{error:.1e}", ns / samples as f64);
+
+    let qr = time(|| drop(dense::two_steps(&angles, &readings)));
+    show("nalgebra, QR", qr, error(&dense::two_steps(&angles, &readings), &exact));
+
+    let model = Model::new();
+    let blocked = time(|| drop(model.fit(RADIUS, &angles, &readings)));
+    show("Trunnion, blocked, f64", blocked, error(&model.fit(RADIUS, &angles, &readings), &exact));
+
+    let setup = Setup::from_catalogue("tilting-table-a", &[("R", RADIUS)]).expect("a set-up");
+    let known = setup.derivation.runs.raw[0].known.len();
+    let sample = |(&sweep, &reading): (&f64, &f64), known: usize| Sample {
+        sweep,
+        direction: 1.0,
+        reading,
+        known: vec![0.0; known],
+        known_std: Vec::new(),
+    };
+    let observations: Vec<Observation> = ["tilting", "separation"]
+        .iter()
+        .zip(&readings)
+        .zip([known, 0])
+        .map(|((name, y), known)| Observation {
+            run: setup.run(name).expect("a run"),
+            weight: 1.0,
+            samples: angles.iter().zip(y).map(|pair| sample(pair, known)).collect(),
+        })
+        .collect();
+    let fit = || study::fit(&setup, &observations, Estimator::TwoStep).expect("a whole turn").values;
+    show("Trunnion, `study::fit`: blocked, and a look at the residuals", time(|| drop(fit())), error(fit().as_slice(), &exact));
+
+    macro_rules! stream {
+        ($name:literal, $estimator:ident, $t:ty, $compared:expr) => {{
+            let angles: Vec<$t> = angles.iter().map(|&a| a as $t).collect();
+            let readings = readings.each_ref().map(|y| y.iter().map(|&y| y as $t).collect::<Vec<_>>());
+            let fit = || {
+                let mut fit = $estimator::new(Lengths { r: RADIUS as $t }).expect("a radius");
+                for (&a, (&y1, &y2)) in angles.iter().zip(readings[0].iter().zip(&readings[1])) {
+                    fit.push_tilting(a, y1, 0.0, 0.0).expect("a sample");
+                    fit.push_separation(a, y2).expect("a sample");
+                }
+                let estimate = fit.solve().expect("a whole turn");
+                DVector::from_iterator(13, estimate.solution.coefficients.iter().map(|&c| f64::from(c)))
+            };
+            let compared: bool = $compared;
+            let off = if compared { error(fit().as_slice(), &exact) } else { f64::NAN };
+            show($name, time(|| drop(fit())), off);
+        }};
+    }
+    stream!("Trunnion, streamed, f64", TwoStep, f64, true);
+    stream!("Trunnion, streamed, f32", TwoStep, f32, true);
+    stream!("Trunnion, joint, streamed, f64", Joint, f64, false);
+}
