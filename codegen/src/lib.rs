@@ -68,6 +68,7 @@ pub mod identify;
 pub mod ids;
 mod iso;
 pub mod kinematics;
+mod lanes;
 pub mod limits;
 pub mod measurement;
 pub mod model;

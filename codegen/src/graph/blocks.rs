@@ -1,8 +1,8 @@
 //! A tape run for many values at a time: plain loops over blocks, which a compiler makes vector instructions of.
 
-use super::lanes::{self, LANES, Lanes};
 use super::tape::{Operation, Tape};
 use super::whole_turns;
+use crate::lanes::{self, LANES, Lanes};
 
 /// Runs a [`Tape`] for [`LANES`] values of each input at a time, without allocating; the results are those of
 /// [`Evaluator`](super::Evaluator) up to the last place of a sine or cosine.

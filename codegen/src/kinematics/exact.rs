@@ -1,56 +1,55 @@
-//! The same chains in numbers: full 4×4 products of the same matrices, nothing dropped.
+//! The same chains in numbers, with everything nominal worked out: full 4×4 products of the same matrices, nothing dropped.
 //!
-//! What a simulated instrument reads comes from here, so that a fit is never tested against its own linear model.
+//! What a simulated instrument reads comes from here, so that a fit is never tested against its own linear model. Along a run
+//! all numbers stand in blocks of [`LANES`](crate::graph::LANES) samples.
 
 use super::direction::directions;
 use crate::algebra::{ErrorId, Poly, at, nominal_value};
 use crate::ids::AxisId;
 use crate::iso::Component;
+use crate::lanes::{Lanes, in_blocks};
 use crate::model::{Axis, AxisKind, Ball, Model, Nuisance, NuisanceKind, Run};
 use typed_index_collections::TiVec;
-
-/// Values of the errors of one machine: mm and rad.
-pub trait ErrorValues {
-    /// Value of an error; of a motion error at the coordinate (mm or rad) of its axis.
-    fn value(&self, error: ErrorId, coordinate: f64) -> f64;
-}
-
-/// A place in machine coordinates, mm.
-pub type Place = [f64; 3];
 
 /// A run with everything nominal worked out at each of its samples; only the errors are missing.
 #[derive(Clone, Debug)]
 pub struct ExactRun {
-    sides: [Vec<NumericAxis>; 2],
-    setups: [Option<[ErrorId; 3]>; 2],
-    nuisances: Vec<NumericNuisance>,
-    stations: Vec<Station>,
+    /// The workpiece's and the tool's.
+    pub(super) sides: [Side; 2],
+    coordinates: TiVec<AxisId, Option<Vec<f64>>>,
+    samples: usize,
+}
+
+/// A ball and the axes that carry it, from the base outwards; one at rest moves nothing.
+#[derive(Clone, Debug)]
+pub(super) struct Side {
+    pub axes: Vec<NumericAxis>,
+    pub ball: [Vec<Lanes>; 3],
+    pub setup: Option<[ErrorId; 3]>,
 }
 
 #[derive(Clone, Debug)]
-struct NumericAxis {
-    kind: AxisKind,
-    direction: Place,
-    location: [Option<ErrorId>; 6],
-    motion: [Option<ErrorId>; 6],
+pub(super) struct NumericAxis {
+    pub id: AxisId,
+    pub kind: AxisKind,
+    pub direction: [f64; 3],
+    pub location: [Option<ErrorId>; 6],
+    pub motion: [Option<ErrorId>; 6],
+    /// Its nominal coordinate.
+    pub at: Vec<Lanes>,
+    /// Sine and cosine of that, of a rotary axis.
+    pub turn: [Vec<Lanes>; 2],
+    pub nuisances: Vec<NumericNuisance>,
 }
 
 /// A nuisance term: what it moves by its parameter.
 #[derive(Clone, Debug)]
-struct NumericNuisance {
-    error: ErrorId,
-    axis: AxisId,
+pub(super) struct NumericNuisance {
+    pub error: ErrorId,
     /// The motion it moves; `None` for the coordinate itself.
-    component: Option<Component>,
-}
-
-/// Nominal coordinates (`None` at rest) and balls at one value of the sweep.
-#[derive(Clone, Debug)]
-struct Station {
-    coordinates: TiVec<AxisId, Option<f64>>,
-    balls: [Place; 2],
-    /// By how much each nuisance term moves: factors of its parameter, its square and its cube.
-    moves: Vec<[f64; 3]>,
+    pub component: Option<Component>,
+    /// By how much: factors of its parameter, its square and its cube.
+    pub moves: [Vec<Lanes>; 3],
 }
 
 impl ExactRun {
@@ -58,88 +57,66 @@ impl ExactRun {
     /// set-up's lengths in mm.
     pub fn new(model: &Model, run: &Run, sweeps: &[f64], constant: &impl Fn(&str) -> f64) -> Self {
         let value = |p: &Poly, sweep: f64| at(p, &model.alphabet, sweep, constant);
-        let ball = |b: &Ball, sweep: f64| core::array::from_fn(|i| value(&b.at[i], sweep));
-        let kept = |error: Option<ErrorId>| error.filter(|e| !run.left_out.contains(e));
-        let axis = |a: &Axis| NumericAxis {
-            kind: a.kind,
-            direction: core::array::from_fn(|i| value(&a.direction[i], 0.0)),
-            location: a.location.map(kept),
-            motion: a.motion.map(|e| kept(Some(e))),
-        };
-        let nuisance = |n: &Nuisance| NumericNuisance {
-            error: n.error,
-            axis: n.axis,
-            component: if let NuisanceKind::LateralPlay(component) = n.kind { Some(component) } else { None },
-        };
-        let slopes: Vec<[Poly; 3]> = run.nuisance.iter().map(|n| slopes(model, run, n)).collect();
-        let moves = |(n, [first, second, third]): (&Nuisance, &[Poly; 3]), sweep: f64, direction: f64| {
-            let sense = nominal_value(n.sense, &model.alphabet, sweep, constant) * direction;
-            match n.kind {
-                NuisanceKind::Backlash | NuisanceKind::LateralPlay(_) => {
-                    [if n.against { -0.5 * sense } else { 0.5 * sense }, 0.0, 0.0]
-                }
-                // Taylor's series of the coordinate at the sweep less the lag; at 1 mrad its end is 10⁻¹¹ mm.
-                NuisanceKind::Lag => [
-                    -value(first, sweep) * direction,
-                    value(second, sweep) / 2.0 * direction.powi(2),
-                    -value(third, sweep) / 6.0 * direction,
-                ],
-            }
-        };
-        let station = |(&sweep, direction): (&f64, f64)| Station {
-            coordinates: run.at.iter().map(|c| c.poly().map(|p| value(p, sweep))).collect(),
-            balls: [ball(&run.workpiece_ball, sweep), ball(&run.tool_ball, sweep)],
-            moves: run.nuisance.iter().zip(&slopes).map(|term| moves(term, sweep, direction)).collect(),
-        };
-        Self {
-            sides: [model.workpiece.iter().map(axis).collect(), model.tool.iter().map(axis).collect()],
-            setups: [run.workpiece_ball.setup, run.tool_ball.setup],
-            nuisances: run.nuisance.iter().map(nuisance).collect(),
-            stations: sweeps.iter().zip(directions(sweeps)).map(station).collect(),
-        }
-    }
-
-    /// The workpiece ball and the tool ball at every sample.
-    pub fn balls<'a>(&'a self, errors: &'a impl ErrorValues) -> impl Iterator<Item = [Place; 2]> + 'a {
-        let tool = self.sides[0].len();
-        self.stations.iter().map(move |station| {
-            let [w, t] = station.balls;
-            [self.position(0, 0, station, w, errors), self.position(1, tool, station, t, errors)]
-        })
-    }
-
-    /// Carries a ball from the last axis' frame of a side, whose first axis is `first`, to the machine's.
-    fn position(&self, side: usize, first: usize, station: &Station, ball: Place, errors: &impl ErrorValues) -> Place {
-        let setup = self.setups[side];
-        let mut point: Place = core::array::from_fn(|i| ball[i] + setup.map_or(0.0, |s| errors.value(s[i], 0.0)));
-        for (id, axis) in self.sides[side].iter().enumerate().rev() {
-            let id = AxisId::from(first + id);
-            let Some(nominal) = station.coordinates[id] else { continue };
-            let mut motion = axis.motion.map(|e| e.map_or(0.0, |e| errors.value(e, nominal)));
-            let mut coordinate = nominal;
-            for (nuisance, [a, b, c]) in self.nuisances.iter().zip(&station.moves).filter(|(n, _)| n.axis == id) {
-                let parameter = errors.value(nuisance.error, 0.0);
-                let moved = ((c * parameter + b) * parameter + a) * parameter;
-                match nuisance.component {
-                    Some(component) => motion[component.index()] += moved,
-                    None => coordinate += moved,
-                }
-            }
-            point = match axis.kind {
-                AxisKind::Rotary => small(&motion, rotate(&axis.direction, coordinate, point)),
-                AxisKind::Linear => {
-                    let moved = small(&motion, point);
-                    core::array::from_fn(|i| moved[i] + coordinate * axis.direction[i])
+        let along = |p: &Poly| sweeps.iter().map(|&sweep| value(p, sweep)).collect::<Vec<f64>>();
+        let coordinates: TiVec<AxisId, Option<Vec<f64>>> = run.at.iter().map(|c| c.poly().map(along)).collect();
+        let directions = directions(sweeps);
+        let nuisance = |n: &Nuisance| {
+            let slopes = slopes(model, run, n);
+            let moves = |(&sweep, &direction): (&f64, &f64)| -> [f64; 3] {
+                let sense = nominal_value(n.sense, &model.alphabet, sweep, constant) * direction;
+                match n.kind {
+                    NuisanceKind::Backlash | NuisanceKind::LateralPlay(_) => {
+                        [if n.against { -0.5 * sense } else { 0.5 * sense }, 0.0, 0.0]
+                    }
+                    // Taylor's series of the coordinate at the sweep less the lag; at 1 mrad its end is 10⁻¹¹ mm.
+                    NuisanceKind::Lag => [
+                        -value(&slopes[0], sweep) * direction,
+                        value(&slopes[1], sweep) / 2.0 * direction.powi(2),
+                        -value(&slopes[2], sweep) / 6.0 * direction,
+                    ],
                 }
             };
-            point = small(&axis.location.map(|e| e.map_or(0.0, |e| errors.value(e, 0.0))), point);
-        }
-        point
+            let moves: Vec<[f64; 3]> = sweeps.iter().zip(&directions).map(moves).collect();
+            NumericNuisance {
+                error: n.error,
+                component: if let NuisanceKind::LateralPlay(component) = n.kind { Some(component) } else { None },
+                moves: core::array::from_fn(|power| in_blocks(moves.iter().map(|m| m[power]))),
+            }
+        };
+        let kept = |error: Option<ErrorId>| error.filter(|e| !run.left_out.contains(e));
+        let axis = |(id, a): (AxisId, &Axis)| {
+            let at = coordinates[id].as_deref()?;
+            let turns = if a.kind == AxisKind::Rotary { at } else { &[] };
+            Some(NumericAxis {
+                id,
+                kind: a.kind,
+                direction: core::array::from_fn(|i| value(&a.direction[i], 0.0)),
+                location: a.location.map(kept),
+                motion: a.motion.map(|e| kept(Some(e))),
+                at: in_blocks(at.iter().copied()),
+                turn: [f64::sin, f64::cos].map(|of| in_blocks(turns.iter().map(|&angle| of(angle)))),
+                nuisances: run.nuisance.iter().filter(|n| n.axis == id).map(nuisance).collect(),
+            })
+        };
+        let side = |first: usize, axes: &[Axis], ball: &Ball| Side {
+            axes: axes.iter().enumerate().filter_map(|(i, a)| axis((AxisId::from(first + i), a))).collect(),
+            ball: ball.at.each_ref().map(|p| in_blocks(along(p))),
+            setup: ball.setup,
+        };
+        let sides =
+            [side(0, &model.workpiece, &run.workpiece_ball), side(model.workpiece.len(), &model.tool, &run.tool_ball)];
+        Self { sides, coordinates, samples: sweeps.len() }
+    }
+
+    /// How many samples it has.
+    pub fn samples(&self) -> usize {
+        self.samples
     }
 
     /// Nominal coordinate of an axis at every sample; `None` at rest.
     pub fn coordinates(&self, axis: AxisId) -> impl Iterator<Item = Option<f64>> {
-        self.stations.iter().map(move |s| s.coordinates[axis])
+        let along = self.coordinates[axis].as_deref();
+        (0..self.samples).map(move |sample| along.map(|along| along[sample]))
     }
 }
 
@@ -154,17 +131,4 @@ fn slopes(model: &Model, run: &Run, nuisance: &Nuisance) -> [Poly; 3] {
         derivative = derivative.derivative(run.sweep, &model.alphabet).unwrap_or_default();
         derivative.clone()
     })
-}
-
-/// `[1 −c b x; c 1 −a y; −b a 1 z] · p`
-fn small([x, y, z, a, b, c]: &[f64; 6], [px, py, pz]: Place) -> Place {
-    [px - c * py + b * pz + x, c * px + py - a * pz + y, -b * px + a * py + pz + z]
-}
-
-/// Rodrigues' rotation of `p` about the unit vector `n`.
-fn rotate(n: &Place, angle: f64, p: Place) -> Place {
-    let (sin, cos) = angle.sin_cos();
-    let cross = [n[1] * p[2] - n[2] * p[1], n[2] * p[0] - n[0] * p[2], n[0] * p[1] - n[1] * p[0]];
-    let along = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
-    core::array::from_fn(|i| cos * p[i] + sin * cross[i] + (1.0 - cos) * along * n[i])
 }

@@ -1,6 +1,7 @@
 //! Every model of the catalogue: its equations for review, and its derivation against numbers.
 
 mod derivative;
+mod exact;
 mod harmonics;
 mod numbers;
 mod printed;

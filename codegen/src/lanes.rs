@@ -8,9 +8,23 @@ pub const LANES: usize = 64;
 /// A block of numbers.
 pub type Lanes = [f64; LANES];
 
+/// The values in blocks, the last one filled up with zeros.
+pub fn in_blocks(values: impl IntoIterator<Item = f64>) -> Vec<Lanes> {
+    let mut blocks = Vec::new();
+    for (i, value) in values.into_iter().enumerate() {
+        if i % LANES == 0 {
+            blocks.push([0.0; LANES]);
+        }
+        if let Some(block) = blocks.last_mut() {
+            block[i % LANES] = value;
+        }
+    }
+    blocks
+}
+
 /// `result = of(a)`.
 #[inline(always)]
-pub(super) fn each(result: &mut Lanes, a: &Lanes, of: impl Fn(f64) -> f64) {
+pub(crate) fn each(result: &mut Lanes, a: &Lanes, of: impl Fn(f64) -> f64) {
     for (result, &a) in result.iter_mut().zip(a) {
         *result = of(a);
     }
@@ -18,7 +32,7 @@ pub(super) fn each(result: &mut Lanes, a: &Lanes, of: impl Fn(f64) -> f64) {
 
 /// `result = of(a, b)`.
 #[inline(always)]
-pub(super) fn both(result: &mut Lanes, a: &Lanes, b: &Lanes, of: impl Fn(f64, f64) -> f64) {
+pub(crate) fn both(result: &mut Lanes, a: &Lanes, b: &Lanes, of: impl Fn(f64, f64) -> f64) {
     for (result, (&a, &b)) in result.iter_mut().zip(a.iter().zip(b)) {
         *result = of(a, b);
     }
@@ -51,7 +65,7 @@ const C: [f64; 6] = [
 
 /// Sines and cosines of angles in rad, within one of the last place.
 #[inline(always)]
-pub(super) fn sine_cosine(a: &Lanes, sin: &mut Lanes, cos: &mut Lanes) {
+pub(crate) fn sine_cosine(a: &Lanes, sin: &mut Lanes, cos: &mut Lanes) {
     let near = a.iter().fold(true, |near, a| near & (a.abs() <= NEAR));
     if !near {
         for (a, (sin, cos)) in a.iter().zip(sin.iter_mut().zip(cos)) {
