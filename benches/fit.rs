@@ -1,8 +1,10 @@
 //! Cost of a fit: a generated row, a push, the paper's two runs, a Monte Carlo trial.
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
+use rayon::ThreadPoolBuilder;
 use std::f64::consts::TAU;
 use std::hint::black_box;
+use std::time::Instant;
 use trunnion::study::{self, Draws, ErrorLimits, Estimator, Setup};
 use trunnion_codegen::catalogue;
 use trunnion_solver::tilting::{self, Joint, Lengths, TwoStep};
@@ -48,16 +50,34 @@ fn fit(c: &mut Criterion) {
     group.finish();
 }
 
+/// Trials on one core; the set-up before the first one is shared by many thousands.
 fn monte_carlo(c: &mut Criterion) {
     let model = catalogue::model("tilting-table-a").expect("in the catalogue").expect("a model");
     let setup = Setup::new(model, &[("R", 150.0)]).expect("a set-up");
     let function = setup.estimated().next().expect("an estimated function");
-    let draws =
-        Draws { trials: 16, samples: SAMPLES, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: 1e-4, seed: 1 };
+    let asked = [(Estimator::Joint, function)];
+    let draws = |trials| Draws {
+        trials,
+        samples: SAMPLES,
+        range: (0.0, TAU),
+        limits: ErrorLimits::PAPER,
+        noise: 1e-4,
+        seed: 1,
+    };
+    let one_core = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let timed = |work: &(dyn Fn() + Sync)| {
+        let start = Instant::now();
+        one_core.install(work);
+        start.elapsed()
+    };
     let mut group = c.benchmark_group("study");
-    group.throughput(Throughput::Elements(draws.trials)).sample_size(20);
-    let run = |()| study::monte_carlo(&setup, draws, Estimator::Joint, function, &|| {});
-    group.bench_function("Monte Carlo trials", |b| b.iter_batched(|| (), run, BatchSize::PerIteration));
+    group.sampling_mode(SamplingMode::Flat).sample_size(20);
+    group.bench_function("Monte Carlo trial, noise alone", |b| {
+        b.iter_custom(|trials| timed(&|| drop(study::noise_alone(&setup, draws(trials), &asked, &|| {}))));
+    });
+    group.bench_function("Monte Carlo trial, exact machine", |b| {
+        b.iter_custom(|trials| timed(&|| drop(study::monte_carlo(&setup, draws(trials), &asked, &|| {}))));
+    });
     group.finish();
 }
 

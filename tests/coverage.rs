@@ -4,7 +4,11 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use trunnion::study::{Draws, ErrorLimits, Estimator, Setup, Spread, draw, fit, grid, monte_carlo};
+use std::sync::atomic::{AtomicU64, Ordering};
+use trunnion::study::{
+    Drawn, Draws, ErrorLimits, Estimator, Instrument, Population, Setup, Spread, fit, grid, monte_carlo, noise_alone,
+    studies, supplement,
+};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::ErrorValues;
@@ -31,10 +35,11 @@ fn the_band_covers_the_truth_in_95_of_100_machines() {
     let error = setup.model.functions[function].error;
     let sweeps = grid(90, (0.0, TAU));
     let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|run| setup.exact(run, &sweeps)).collect();
+    let machines = Population::new(&setup, &exact, limits);
     let covered = |n: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(2024);
         random.set_stream(n);
-        let machine = draw(&setup, &exact.raw, limits, &mut random);
+        let machine = machines.draw(&mut random);
         let mut observe =
             |run: RunId| setup.observe(run, &exact[run], &sweeps, &machine, || random.random_range(-1.0..=1.0) * NOISE);
         let observations = [0, 1].map(|run| observe(run.into()));
@@ -80,7 +85,7 @@ fn the_largest_error_is_distributed_as_in_an_independent_study() {
     let draws =
         Draws { trials: MACHINES, samples: 360, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: NOISE, seed: 1 };
     for Independent { estimator, noise, linearisation, both } in independent {
-        let (_, trials) = monte_carlo(&setup, draws, estimator, function, &|| ()).unwrap();
+        let (_, trials) = monte_carlo(&setup, draws, &[(estimator, function)], &|| ()).unwrap().remove(0);
         let compare = |what: &str, values: Vec<f64>, (mean, p95): (f64, f64)| {
             let spread = Spread::of(values.into_iter().map(|x| x * 1e6).collect()).unwrap();
             println!("{estimator:?}, {what}: {:.3} and {:.3}; study {mean} and {p95}", spread.mean, spread.p95);
@@ -101,7 +106,41 @@ fn a_machine_does_not_depend_on_the_number_of_others() {
     let function = setup.estimated().next().unwrap();
     let run = |trials| {
         let draws = Draws { trials, samples: 36, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: NOISE, seed: 5 };
-        monte_carlo(&setup, draws, Estimator::Joint, function, &|| ()).unwrap().1
+        monte_carlo(&setup, draws, &[(Estimator::Joint, function)], &|| ()).unwrap().remove(0).1
     };
     assert_eq!(run(20)[..7], run(7)[..]);
+}
+
+/// All functions and estimators see the same machines: each is drawn once.
+#[test]
+fn a_machine_serves_all_that_is_asked_on_any_number_of_threads() {
+    let setup = Setup::from_catalogue("bc-trunnion", &[]).unwrap();
+    let draws = Draws { trials: 50, samples: 90, range: (0.0, TAU), limits: ErrorLimits::PAPER, noise: NOISE, seed: 5 };
+    let functions: Vec<_> = setup.estimated().collect();
+    assert!(functions.len() > 1);
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let machines = AtomicU64::new(0);
+            let done = || {
+                machines.fetch_add(1, Ordering::Relaxed);
+            };
+            let studies = studies(&setup, draws, Drawn::Machines, &ESTIMATORS[..1], &done).unwrap();
+            assert_eq!(machines.into_inner(), draws.trials);
+            (studies, supplement(&setup, draws, Estimator::Joint, &Instrument::default()).unwrap())
+        })
+    };
+    let (one, three) = (run(1), run(3));
+    assert_eq!(one, three);
+    for function in functions {
+        let alone = monte_carlo(&setup, draws, &[(Estimator::Joint, function)], &|| ()).unwrap().remove(0);
+        let noise = noise_alone(&setup, draws, &[(Estimator::Joint, function)], &|| ()).unwrap().remove(0);
+        assert_eq!(alone.0, noise.0);
+        assert_eq!(alone.1.iter().map(|t| t.noise).collect::<Vec<f64>>(), noise.1);
+        let of = |study: &&trunnion::study::Study| study.function == setup.function_name(function);
+        let together = one.0.iter().find(of).unwrap().errors;
+        let unit = setup.quantity(function).deviation();
+        let both = Spread::of(alone.1.iter().map(|t| unit.from_inner(t.both)).collect());
+        assert_eq!(together.and_then(|errors| Some(errors.machines?.both)), both);
+    }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use trunnion::study::plan::design::{Asked, Choices, Design, Measured, Pool, budgets, design, share, with_runs};
 use trunnion::study::plan::{Intended, predict, uniform_std};
-use trunnion::study::{Draws, ErrorLimits, Estimator, Instrument, Setup, monte_carlo};
+use trunnion::study::{Draws, ErrorLimits, Estimator, Instrument, Setup, noise_alone};
 use trunnion_codegen::catalogue::MODELS;
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::ids::FunctionId;
@@ -128,8 +128,9 @@ fn runs_are_found_for_every_function_and_drawn_machines_confirm_them() {
             let largest = own.largest.unwrap();
             assert!(largest.u95 <= 1.02 * found.functions[0].within, "{name}: {called}: {largest:?}");
             // The largest error over the range is some two to four standard deviations where it is largest.
-            let (_, trials) = monte_carlo(&first.setup, draws((0.0, TAU)), Estimator::Joint, f, &|| {}).unwrap();
-            let mean = trials.iter().map(|t| t.noise).sum::<f64>() / trials.len() as f64;
+            let of = [(Estimator::Joint, f)];
+            let (_, trials) = noise_alone(&first.setup, draws((0.0, TAU)), &of, &|| {}).unwrap().remove(0);
+            let mean = trials.iter().sum::<f64>() / trials.len() as f64;
             let ratio = mean / (largest.std * (SAMPLES as f64 / 120.0).sqrt());
             println!("{name}: {called}: {} runs, ± {:.3e}, ratio {ratio:.2}", first.draft.runs.len(), largest.u95);
             assert!((0.6..2.6).contains(&ratio), "{name}: {called}: {ratio}");

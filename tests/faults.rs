@@ -1,7 +1,7 @@
 //! Inputs that once came out wrong, each the smallest of its kind, with the values of an independent exact model.
 
 use trunnion::data::{observations, write_simulation};
-use trunnion::study::{ErrorLimits, Simulation, fit, studies};
+use trunnion::study::{Drawn, ErrorLimits, Simulation, fit, studies};
 use trunnion::{Estimator, Setup};
 use trunnion_codegen::emit;
 use trunnion_codegen::identify::{Derivation, Extent};
@@ -97,7 +97,7 @@ fn a_function_is_compared_where_its_axis_goes() {
     let model = include_str!("faults/monte-carlo-coordinate/model.toml");
     let setup = Setup::from_description(model, &[("R", 100.0), ("G", 50.0)]).unwrap();
     let draws = simulation(1, 90, 0.1).draws(400);
-    let studies = studies(&setup, draws, &[Estimator::Joint], &|| ()).unwrap();
+    let studies = studies(&setup, draws, Drawn::NoiseAlone, &[Estimator::Joint], &|| ()).unwrap();
     let noise = studies[0].errors.unwrap().noise.mean;
     assert!((noise / 14.3 - 1.0).abs() < 0.1, "{noise}");
 }

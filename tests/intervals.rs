@@ -7,8 +7,8 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 use trunnion::study::plan::subset;
 use trunnion::study::{
-    ErrorLimits, Estimator, Instrument, Observation, Setup, Source, Sources, Variance, Weights, draw, fit_with, grid,
-    visited,
+    ErrorLimits, Estimator, Instrument, Observation, Population, Setup, Source, Sources, Variance, Weights, fit_with,
+    grid, visited,
 };
 use trunnion_codegen::catalogue::{self, MODELS};
 use trunnion_codegen::identify::Extent;
@@ -93,10 +93,11 @@ fn check(name: &str, setup: &Setup, limits: ErrorLimits) {
         }
     }
     let exact: Vec<ExactReading> = setup.model.runs.keys().map(|run| setup.exact(run, &sweeps)).collect();
+    let machines = Population::new(setup, &exact, limits);
     let held = |n: u64| -> Vec<u32> {
         let mut random = ChaCha8Rng::seed_from_u64(99);
         random.set_stream(n);
-        let machine = draw(setup, &exact, limits, &mut random);
+        let machine = machines.draw(&mut random);
         let mut reading = |run: RunId| -> Vec<f64> {
             let observed = setup
                 .observe(run, &exact[usize::from(run)], &sweeps, &machine, || random.random_range(-1.0..=1.0) * NOISE);

@@ -5,8 +5,8 @@ use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use trunnion::study::plan::{Intended, additions, predict, subset};
 use trunnion::study::{
-    ErrorLimits, Estimator, Fit, Observation, Setup, SimulatedMachine, Variance, Weights, draw, fit, fit_with, grid,
-    neglected, systematic,
+    ErrorLimits, Estimator, Fit, Observation, Population, Setup, SimulatedMachine, Variance, Weights, fit, fit_with,
+    grid, neglected, systematic,
 };
 use trunnion_codegen::catalogue::{self, MODELS};
 use trunnion_codegen::identify::{Extent, derive};
@@ -39,7 +39,7 @@ struct Simulated {
 fn simulate(setup: &Setup, samples: usize, limits: ErrorLimits, random: &mut ChaCha8Rng) -> Simulated {
     let sweeps = grid(samples, (0.0, TAU));
     let exact: TiVec<RunId, ExactReading> = setup.model.runs.keys().map(|r| setup.exact(r, &sweeps)).collect();
-    let machine = draw(setup, &exact.raw, limits, random);
+    let machine = Population::new(setup, &exact, limits).draw(random);
     let observe = |(run, exact)| setup.observe(run, exact, &sweeps, &machine, || 0.0);
     let observations = exact.iter_enumerated().map(observe).collect();
     Simulated { machine, observations }

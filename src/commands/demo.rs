@@ -8,8 +8,8 @@ use std::path::PathBuf;
 use trunnion::data::{Files, Guard, Unit, simulation_files};
 use trunnion::plot::{Chart, Mark, Panel, Scale, Series, Tone};
 use trunnion::study::{
-    ErrorLimits, Estimator, Instrument, Observation, RecoveredFunction, Recovery, Report, Sample, Setup, Simulation,
-    StudyError, fit, recovery, report,
+    Drawn, ErrorLimits, Estimator, Instrument, Observation, RecoveredFunction, Recovery, Report, Sample, Setup,
+    Simulation, StudyError, fit, recovery, report,
 };
 use trunnion_codegen::emit::equations;
 
@@ -64,8 +64,8 @@ impl DemoArguments {
             "\n3. {TRIALS} such machines; the paper's one simulation had a largest error of {PAPER} µrad\n\n"
         );
         let estimators = [Estimator::TwoStep, Estimator::Joint];
-        out +=
-            &monte_carlo::text(&setup, TRIALS, &monte_carlo::watched(&setup, simulation.draws(TRIALS), &estimators)?);
+        let studies = monte_carlo::watched(&setup, simulation.draws(TRIALS), Drawn::Machines, &estimators)?;
+        out += &monte_carlo::text(&setup, TRIALS, Drawn::Machines, &studies);
         let figures = figures(&setup, observations, &reports)?;
         let files = simulation_files(&setup, &simulation, &simulated, &self.out, figures)?;
         files.write(&self.out, &Guard { inputs: Vec::new(), force: self.force })?;

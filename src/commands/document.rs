@@ -1,7 +1,9 @@
 //! A report and its parts as one JSON object, for a program.
 
 use serde_json::{Map, Value, json};
-use trunnion::study::{Budget, COVERAGE, Contribution, Curve, CurvePoint, Line, Report, Spread, Study, Told};
+use trunnion::study::{
+    Budget, COVERAGE, Contribution, Curve, CurvePoint, Line, MachineErrors, Report, Spread, Study, Told,
+};
 use trunnion_codegen::emit::equations::Remaining;
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::quantity::Unit;
@@ -104,11 +106,12 @@ fn contribution(c: &Contribution) -> Value {
 pub fn study(study: &Study) -> Value {
     let spread = |x: &Spread| json!({ "mean": x.mean, "median": x.median, "p95": x.p95, "max": x.max });
     let errors = study.errors.as_ref().map(|errors| {
-        json!({
-            "noise": spread(&errors.noise),
-            "linearisation": spread(&errors.linearisation),
-            "both": spread(&errors.both),
-        })
+        let mut object = json!({ "noise": spread(&errors.noise) });
+        if let Some(MachineErrors { linearisation, both }) = &errors.machines {
+            object["linearisation"] = spread(linearisation);
+            object["both"] = spread(both);
+        }
+        object
     });
     let object = json!({
         "function": study.function,

@@ -11,7 +11,9 @@ use clap::{ArgGroup, Args};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::fmt::Write;
-use trunnion::study::{Draws, EstimateError, Estimator, Setup, Study, design_warning, studies, supplement};
+use trunnion::study::{
+    Drawn, Draws, EstimateError, Estimator, MachineErrors, Setup, Study, design_warning, studies, supplement,
+};
 use trunnion_codegen::identify::Extent;
 
 /// Arguments of `monte-carlo`.
@@ -33,6 +35,9 @@ pub struct MonteCarloArguments {
     budget: bool,
     #[command(flatten)]
     instrument: InstrumentArguments,
+    /// Instead, draw noise alone: what it does is the same on every machine.
+    #[arg(long, conflicts_with_all = ["budget", "length_um", "angle_urad"])]
+    noise_alone: bool,
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
@@ -68,13 +73,14 @@ impl MonteCarloArguments {
         if self.budget {
             return self.check(&setup, draws, &estimators);
         }
-        let studies = watched(&setup, draws, &estimators)?;
+        let drawn = if self.noise_alone { Drawn::NoiseAlone } else { Drawn::Machines };
+        let studies = watched(&setup, draws, drawn, &estimators)?;
         Ok(print(&match self.json {
             true => {
                 let studies: Vec<_> = studies.iter().map(document::study).collect();
                 format!("{:#}\n", json!({ "model": setup.model.name, "trials": self.trials, "studies": studies }))
             }
-            false => text(&setup, self.trials.into(), &studies),
+            false => text(&setup, self.trials.into(), drawn, &studies),
         })?)
     }
 
@@ -123,22 +129,26 @@ impl MonteCarloArguments {
 }
 
 /// The studies, with a progress bar on standard error.
-pub fn watched(setup: &Setup, draws: Draws, estimators: &[Estimator]) -> Result<Vec<Study>, Refused> {
-    let bar = ProgressBar::new(draws.trials * (estimators.len() * setup.estimated().count()) as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} machines, {eta} left") {
+pub fn watched(setup: &Setup, draws: Draws, drawn: Drawn, estimators: &[Estimator]) -> Result<Vec<Study>, Refused> {
+    let bar = ProgressBar::new(draws.trials);
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} trials, {eta} left") {
         bar.set_style(style);
     }
-    let studies = studies(setup, draws, estimators, &|| bar.inc(1));
+    let studies = studies(setup, draws, drawn, estimators, &|| bar.inc(1));
     bar.finish_and_clear();
     Ok(studies?)
 }
 
 /// A table of the distributions.
-pub fn text(setup: &Setup, trials: u64, studies: &[Study]) -> String {
+pub fn text(setup: &Setup, trials: u64, drawn: Drawn, studies: &[Study]) -> String {
     // Without noise an estimate is also wrong by what is assumed of the machine and is not so.
-    let assumed = !setup.model.assumptions.is_empty();
+    let assumed = drawn == Drawn::Machines && !setup.model.assumptions.is_empty();
     let model = if assumed { "model" } else { "linearisation" };
-    let mut out = format!("largest error over the range, {trials} machines (µrad for angles, µm for lengths)\n");
+    let what = match drawn {
+        Drawn::Machines => "machines",
+        Drawn::NoiseAlone => "draws of the noise",
+    };
+    let mut out = format!("largest error over the range, {trials} {what} (µrad for angles, µm for lengths)\n");
     let _ = writeln!(
         out,
         "  {:10} {:9} {:14} {:>8} {:>8} {:>8} {:>8}",
@@ -152,7 +162,11 @@ pub fn text(setup: &Setup, trials: u64, studies: &[Study]) -> String {
         if s.told.extent == Extent::UpTo {
             let _ = writeln!(out, "  {} {}", s.function, s.told.words);
         }
-        for (from, x) in [("noise", &errors.noise), (model, &errors.linearisation), ("both", &errors.both)] {
+        let mut rows = vec![("noise", &errors.noise)];
+        if let Some(MachineErrors { linearisation, both }) = &errors.machines {
+            rows.extend([(model, linearisation), ("both", both)]);
+        }
+        for (from, x) in rows {
             let _ = writeln!(
                 out,
                 "  {:10} {:9} {from:14} {:8.3} {:8.3} {:8.3} {:8.3}",

@@ -1,21 +1,21 @@
-//! Machines drawn at random within bounds.
+//! Machines with random errors within limits.
 //!
-//! A location or set-up error is uniform within ± its limit. A motion error is a random combination of its functions, each
-//! scaled to a largest value of one over the coordinates of the runs, and the sum is scaled to a largest value uniform
-//! between 0 and its limit. A function with a basis is drawn in that basis; one that is known or of which nothing is
-//! assumed is a polynomial of degree 2 of a linear axis, or two harmonics of a rotary one that vanish at 0; one assumed
-//! to be zero is zero.
+//! A motion error is a random combination of functions, scaled so that it is as large as it may be, or smaller, at the
+//! coordinates that the runs visit: the functions assumed of it, where there are any; else x and x² of a linear axis, or two
+//! harmonics of a rotary one that vanish at 0; one assumed to be zero is zero.
 
+use super::coordinates::Coordinates;
 use super::limits::ErrorLimits;
 use super::setup::Setup;
+use super::shape::{ErrorShape, coordinates, parts};
 use rand::{Rng, RngExt};
-use trunnion_codegen::algebra::{ErrorId, Quantity, wrapped_value};
-use trunnion_codegen::basis::{Arithmetic, Basis, Univariate};
+use trunnion_codegen::algebra::ErrorId;
+use trunnion_codegen::graph::LANES;
 use trunnion_codegen::identify::{Origin, Parameter};
-use trunnion_codegen::ids::{BaseId, ParameterId};
+use trunnion_codegen::ids::{AxisId, BaseId, ParameterId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
-use trunnion_codegen::model::AxisKind;
+use trunnion_solver::sized::{Work, vectorised};
 use typed_index_collections::TiVec;
 
 /// One machine: a value for every error.
@@ -24,47 +24,6 @@ pub struct SimulatedMachine {
     values: Vec<ErrorShape>,
     /// Of each error, the factors of the functions it is a combination of.
     coefficients: Vec<Vec<f64>>,
-}
-
-/// An error's value as a function of its coordinate.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum ErrorShape {
-    Constant(f64),
-    /// Coefficients of x⁰, x¹, …; with a start (in steps of 15°) of the angle less whole turns.
-    Polynomial(Vec<f64>, Option<i32>),
-    /// `c₀ + Σ cₖ cos kx + sₖ sin kx`
-    Harmonics(f64, Vec<(f64, f64)>),
-}
-
-impl ErrorShape {
-    pub fn at(&self, x: f64) -> f64 {
-        match self {
-            Self::Constant(v) => *v,
-            Self::Polynomial(c, turn) => {
-                let x = turn.map_or(x, |start| wrapped_value(x, start));
-                c.iter().rev().fold(0.0, |sum, c| sum * x + c)
-            }
-            Self::Harmonics(constant, waves) => {
-                let wave = |(k, (c, s)): (usize, &(f64, f64))| {
-                    let (sin, cos) = ((k + 1) as f64 * x).sin_cos();
-                    c * cos + s * sin
-                };
-                constant + waves.iter().enumerate().map(wave).sum::<f64>()
-            }
-        }
-    }
-
-    fn scaled(mut self, factor: f64) -> Self {
-        match &mut self {
-            Self::Constant(v) => *v *= factor,
-            Self::Polynomial(c, _) => c.iter_mut().for_each(|c| *c *= factor),
-            Self::Harmonics(constant, waves) => {
-                *constant *= factor;
-                waves.iter_mut().for_each(|(c, s)| (*c, *s) = (*c * factor, *s * factor));
-            }
-        }
-        self
-    }
 }
 
 impl ErrorValues for SimulatedMachine {
@@ -91,6 +50,20 @@ impl SimulatedMachine {
         &self.coefficients[error.index()]
     }
 
+    /// An error as a function of its coordinate.
+    pub(super) fn shape(&self, error: ErrorId) -> &ErrorShape {
+        &self.values[error.index()]
+    }
+
+    /// The machine with all its errors times a factor.
+    #[must_use]
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let mut scaled = self.clone();
+        scaled.values.iter_mut().for_each(|shape| shape.scale(factor));
+        scaled.coefficients.iter_mut().flatten().for_each(|c| *c *= factor);
+        scaled
+    }
+
     /// True value of every base parameter.
     pub fn base(&self, setup: &Setup) -> TiVec<BaseId, f64> {
         let parameters = self.parameters(setup);
@@ -98,93 +71,109 @@ impl SimulatedMachine {
     }
 }
 
-/// Draws a machine. `runs` are the runs to be simulated: they say over which coordinates a function is scaled.
-pub fn draw(setup: &Setup, runs: &[ExactReading], limits: ErrorLimits, random: &mut impl Rng) -> SimulatedMachine {
-    let model = &setup.model;
-    let shape = |(id, ..): (ErrorId, &str, Quantity)| {
-        let limit = setup.limit(id, limits);
-        let Some((axis, _)) = model.axis_of(id) else {
-            let value = uniform(random) * limit;
-            return (ErrorShape::Constant(value), vec![value]);
+/// The machines within limits.
+#[derive(Clone, Debug)]
+pub struct Population {
+    errors: Vec<Law>,
+    /// Where each axis' errors are scaled.
+    over: TiVec<AxisId, Coordinates>,
+}
+
+/// How an error is drawn.
+#[derive(Clone, Debug)]
+enum Law {
+    /// A location or set-up error, by its limit.
+    Constant(f64),
+    /// A motion error.
+    Motion {
+        limit: f64,
+        axis: AxisId,
+        /// The functions it is a combination of, each with what makes it as large as 1.
+        parts: Vec<(ErrorShape, f64)>,
+    },
+}
+
+impl Population {
+    /// Machines to be measured along `runs`: they say over which coordinates a function is scaled.
+    pub fn new<'a>(setup: &Setup, runs: impl IntoIterator<Item = &'a ExactReading>, limits: ErrorLimits) -> Self {
+        let runs: Vec<&ExactReading> = runs.into_iter().collect();
+        let model = &setup.model;
+        let all: Vec<(ErrorId, Vec<ErrorShape>)> =
+            model.alphabet.errors().map(|(id, ..)| (id, parts(setup, id))).collect();
+        let axis_of = |id: ErrorId| model.axis_of(id).map(|(axis, _)| axis);
+        let over = |axis: AxisId| {
+            // Runs that take an axis along the same way count once.
+            let mut ways: Vec<Vec<f64>> = Vec::new();
+            for run in &runs {
+                let way: Vec<f64> = run.run().coordinates(axis).flatten().collect();
+                if !ways.contains(&way) {
+                    ways.push(way);
+                }
+            }
+            let own = all.iter().filter(|(id, _)| axis_of(*id) == Some(axis));
+            coordinates(ways.concat(), own.flat_map(|(_, shapes)| shapes))
         };
-        let coordinates: Vec<f64> = runs.iter().flat_map(|r| r.run().coordinates(axis)).flatten().collect();
-        let parts = parts(setup, id);
-        let largest = |s: &ErrorShape| coordinates.iter().map(|&x| s.at(x).abs()).fold(0.0, f64::max);
-        let inverse = |s: &ErrorShape| Some(largest(s)).filter(|size| *size > 0.0).map_or(0.0, f64::recip);
-        let factors: Vec<f64> = parts.iter().map(|s| uniform(random) * inverse(s)).collect();
-        let sum = sum(parts.into_iter().zip(&factors).map(|(s, f)| s.scaled(*f)).collect());
-        let scale = limit * random.random::<f64>() * inverse(&sum);
-        let coefficients = factors.iter().map(|f| f * scale).collect();
-        (sum.scaled(scale), coefficients)
-    };
-    let (values, coefficients) = model.alphabet.errors().map(shape).unzip();
-    SimulatedMachine { values, coefficients }
-}
+        let over: TiVec<AxisId, Coordinates> = (0..model.axes().count()).map(|axis| over(axis.into())).collect();
+        let drawn = |(id, shapes): (ErrorId, Vec<ErrorShape>)| {
+            let limit = setup.limit(id, limits);
+            let Some(axis) = axis_of(id) else { return Law::Constant(limit) };
+            let parts = shapes.into_iter().map(|shape| {
+                let inverse = inverse(&shape, &over[axis]);
+                (shape, inverse)
+            });
+            Law::Motion { limit, axis, parts: parts.collect() }
+        };
+        Self { errors: all.into_iter().map(drawn).collect(), over }
+    }
 
-/// The functions an error is a combination of: 1 for a location or set-up error.
-pub(super) fn parts(setup: &Setup, error: ErrorId) -> Vec<ErrorShape> {
-    let Some((axis, _)) = setup.model.axis_of(error) else { return vec![ErrorShape::Constant(1.0)] };
-    let kind = setup.model.axis(axis).map_or(AxisKind::Linear, |a| a.kind);
-    let mut shapes = Shapes { setup, turn: None };
-    match (setup.model.function(error).map(|(_, f)| &f.basis), kind) {
-        (Some(Basis::Zero), _) if setup.model.limits.of(error).is_none() => Vec::new(),
-        (Some(Basis::Functions(functions)), _) => {
-            shapes.turn = functions.turn_from;
-            functions.terms.iter().map(|f| f.of(&mut shapes)).collect()
-        }
-        (None | Some(Basis::Known | Basis::Zero), AxisKind::Linear) => {
-            [1, 2].map(|n| shapes.polynomial(&Univariate::power(n))).into()
-        }
-        (None | Some(Basis::Known | Basis::Zero), AxisKind::Rotary) => {
-            let less_one = |cosine| sum(vec![cosine, ErrorShape::Harmonics(-1.0, Vec::new())]);
-            [1, 2].into_iter().flat_map(|k| [less_one(shapes.cosine(k)), shapes.sine(k)]).collect()
-        }
+    /// Draws one of them.
+    pub fn draw(&self, random: &mut impl Rng) -> SimulatedMachine {
+        let shape = |drawn: &Law| match drawn {
+            Law::Constant(limit) => {
+                let value = uniform(random) * limit;
+                (ErrorShape::Constant(value), vec![value])
+            }
+            Law::Motion { limit, axis, parts } => {
+                let mut factors: Vec<f64> = parts.iter().map(|(_, inverse)| uniform(random) * inverse).collect();
+                let mut sum =
+                    ErrorShape::combination(parts.iter().map(|(shape, _)| shape).zip(factors.iter().copied()));
+                let scale = limit * random.random::<f64>() * inverse(&sum, &self.over[*axis]);
+                factors.iter_mut().for_each(|f| *f *= scale);
+                sum.scale(scale);
+                (sum, factors)
+            }
+        };
+        let (values, coefficients) = self.errors.iter().map(shape).unzip();
+        SimulatedMachine { values, coefficients }
     }
 }
 
-/// Functions of a coordinate as shapes.
-struct Shapes<'a> {
-    setup: &'a Setup,
-    turn: Option<i32>,
+/// What makes a shape as large as 1 at its largest; 0 of one that is zero there.
+fn inverse(shape: &ErrorShape, over: &Coordinates) -> f64 {
+    let size = vectorised(Largest { shape, over });
+    if size > 0.0 { size.recip() } else { 0.0 }
 }
 
-impl Shapes<'_> {
-    fn wave(&self, multiple: u8, wave: (f64, f64)) -> ErrorShape {
-        let below = (1..multiple).map(|_| (0.0, 0.0));
-        ErrorShape::Harmonics(0.0, below.chain([wave]).collect())
-    }
+/// The largest size of a shape.
+struct Largest<'a> {
+    shape: &'a ErrorShape,
+    over: &'a Coordinates,
 }
 
-impl Arithmetic for Shapes<'_> {
-    type Value = ErrorShape;
+impl Work for Largest<'_> {
+    type Output = f64;
 
-    fn polynomial(&mut self, f: &Univariate) -> ErrorShape {
-        ErrorShape::Polynomial(f.coefficients(&self.setup.model.alphabet, &|n| self.setup.constant(n)), self.turn)
-    }
-
-    fn cosine(&mut self, multiple: u8) -> ErrorShape {
-        self.wave(multiple, (1.0, 0.0))
-    }
-
-    fn sine(&mut self, multiple: u8) -> ErrorShape {
-        self.wave(multiple, (0.0, 1.0))
-    }
-}
-
-fn sum(shapes: Vec<ErrorShape>) -> ErrorShape {
-    let add = |a: ErrorShape, b: ErrorShape| match (a, b) {
-        (ErrorShape::Polynomial(a, turn), ErrorShape::Polynomial(b, _)) => {
-            let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
-            ErrorShape::Polynomial((0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect(), turn)
+    #[inline(always)]
+    fn work(self) -> f64 {
+        let (mut most, mut values) = ([0.0; LANES], [0.0; LANES]);
+        for block in 0..self.over.blocks() {
+            self.shape.along(self.over, block, &mut values);
+            for (most, value) in most.iter_mut().zip(values.map(f64::abs)) {
+                *most = if value > *most { value } else { *most };
+            }
         }
-        (ErrorShape::Harmonics(c, a), ErrorShape::Harmonics(d, b)) => {
-            let at = |w: &[(f64, f64)], i: usize| w.get(i).copied().unwrap_or((0.0, 0.0));
-            let pair = |i| (at(&a, i).0 + at(&b, i).0, at(&a, i).1 + at(&b, i).1);
-            ErrorShape::Harmonics(c + d, (0..a.len().max(b.len())).map(pair).collect())
-        }
-        (a, _) => a,
-    };
-    shapes.into_iter().reduce(add).unwrap_or(ErrorShape::Constant(0.0))
+        most.into_iter().fold(0.0, f64::max)
+    }
 }
 
 fn uniform(random: &mut impl Rng) -> f64 {

@@ -82,11 +82,10 @@ impl Setup {
         if limited.is_empty() {
             return beyond;
         }
-        let exact = self.exact(run, sweeps);
         for (axis, [low, high]) in limited {
-            for (place, x) in beyond.iter_mut().zip(exact.run().coordinates(axis)) {
-                let out = x.filter(|x| !(low - SLACK..=high + SLACK).contains(x));
-                *place = place.or(out.map(|x| (axis, x)));
+            for (place, x) in beyond.iter_mut().zip(self.coordinates(run, axis, sweeps)) {
+                let out = !(low - SLACK..=high + SLACK).contains(&x);
+                *place = place.or(out.then_some((axis, x)));
             }
         }
         beyond

@@ -69,6 +69,16 @@ impl Seen {
         self.determination.missing.iter().filter_map(own).collect()
     }
 
+    /// What is seen of each of these functions' coefficients on a machine: its own, and the others in its sum.
+    pub fn coefficients<'a>(
+        &'a self,
+        own: &'a [f64],
+        parameters: &'a TiSlice<ParameterId, f64>,
+    ) -> impl Iterator<Item = f64> + 'a {
+        let of = |t: &Term| own.get(usize::from(t.term)).copied().unwrap_or(0.0);
+        self.terms.iter().map(move |t| of(t) + t.others.iter().map(|(j, f)| f * parameters[*j]).sum::<f64>())
+    }
+
     /// What is seen on a machine with these base parameters, at a coordinate.
     pub fn truth(&self, setup: &Setup, base: &TiSlice<BaseId, f64>, x: f64) -> f64 {
         let sums = self.terms.iter().map(|t| t.base.iter().map(|(b, f)| base[*b] * f).sum::<f64>());

@@ -3,7 +3,8 @@
 use super::draw::SimulatedMachine;
 use super::fit::{Observation, Sample};
 use super::setup::Setup;
-use trunnion_codegen::ids::RunId;
+use trunnion_codegen::algebra::at;
+use trunnion_codegen::ids::{AxisId, RunId};
 use trunnion_codegen::kinematics::{ErrorValues, directions};
 use trunnion_codegen::measurement::ExactReading;
 
@@ -39,6 +40,14 @@ impl Setup {
     /// linearised.
     pub fn exact(&self, run: RunId, sweeps: &[f64]) -> ExactReading {
         ExactReading::new(&self.model, &self.model.runs[run], sweeps, &|n| self.constant(n))
+    }
+
+    /// Nominal coordinates of an axis at the given values of a run's sweep (rad), mm or rad; none at rest.
+    pub(super) fn coordinates(&self, run: RunId, axis: AxisId, sweeps: &[f64]) -> Vec<f64> {
+        let along = self.model.runs[run].at[axis].poly();
+        let value =
+            |poly| sweeps.iter().map(|&sweep| at(poly, &self.model.alphabet, sweep, |n| self.constant(n))).collect();
+        along.map_or(Vec::new(), value)
     }
 
     /// A run as measured on `machine` at `sweeps`, those of `exact`: its exact readings with what `noise` gives (mm) added to

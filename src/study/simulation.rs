@@ -1,6 +1,6 @@
 //! A drawn machine and its noisy readings.
 
-use super::draw::{SimulatedMachine, draw};
+use super::draw::{Population, SimulatedMachine};
 use super::fit::Observation;
 use super::limits::ErrorLimits;
 use super::monte_carlo::Draws;
@@ -73,7 +73,7 @@ impl Simulation {
         let exact: TiVec<RunId, ExactReading> =
             sweeps.iter_enumerated().map(|(run, sweeps)| setup.exact(run, sweeps)).collect();
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        let machine = draw(setup, &exact.raw, self.limits, &mut random);
+        let machine = Population::new(setup, &exact, self.limits).draw(&mut random);
         let mut noise = || random.random_range(-1.0..=1.0) * self.noise_um * Unit::Um.factor();
         let observe = |(run, exact)| setup.observe(run, exact, &sweeps[run], &machine, &mut noise);
         let observations = exact.iter_enumerated().map(observe).collect();

@@ -2,8 +2,9 @@
 
 use super::estimate::{EstimateError, fit};
 use super::fit::Estimator;
-use super::monte_carlo::{Draws, Spread, Trial, monte_carlo};
+use super::monte_carlo::{Draws, Trial, monte_carlo, noise_alone};
 use super::setup::Setup;
+use super::spread::Spread;
 use super::told::Told;
 use super::warning::{Warning, goes_round};
 use thiserror::Error;
@@ -30,10 +31,26 @@ pub struct Study {
 pub struct Errors {
     /// From noise alone.
     pub noise: Spread,
+    /// On drawn machines; none where noise alone was drawn.
+    pub machines: Option<MachineErrors>,
+}
+
+/// Distributions of the largest error on drawn machines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MachineErrors {
     /// From linearisation alone.
     pub linearisation: Spread,
-    /// From both.
+    /// From noise and linearisation.
     pub both: Spread,
+}
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawn {
+    /// Machines, and noise.
+    Machines,
+    /// Noise: what it does is the same on every machine.
+    NoiseAlone,
 }
 
 /// Why there is no study.
@@ -48,13 +65,14 @@ pub enum StudyError {
     Estimate(#[from] EstimateError),
 }
 
-/// Every estimated function with every estimator; `done` is called after every machine.
+/// Every estimated function with every estimator; `done` is called after every trial.
 ///
 /// # Errors
 /// [`StudyError`]
 pub fn studies(
     setup: &Setup,
     draws: Draws,
+    drawn: Drawn,
     estimators: &[Estimator],
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Study>, StudyError> {
@@ -62,21 +80,37 @@ pub fn studies(
     if functions.is_empty() {
         return Err(StudyError::NothingEstimated);
     }
-    let mut studies = Vec::new();
-    for &estimator in estimators {
-        for &function in &functions {
-            let (told, trials) = monte_carlo(setup, draws, estimator, function, done)?;
-            let unit = setup.quantity(function).deviation();
-            let spread = |of: fn(&Trial) -> f64| Spread::of(trials.iter().map(|t| unit.from_inner(of(t))).collect());
-            let errors = || {
-                let (noise, linearisation) = (spread(|t| t.noise)?, spread(|t| t.linearisation)?);
-                Some(Errors { noise, linearisation, both: spread(|t| t.both)? })
+    let of = |&estimator: &Estimator| functions.iter().map(move |&function| (estimator, function));
+    let asked: Vec<(Estimator, FunctionId)> = estimators.iter().flat_map(of).collect();
+    let study = |(&(estimator, function), (told, errors)): (&(Estimator, FunctionId), (Told, _))| Study {
+        estimator,
+        function: setup.function_name(function),
+        told,
+        unit: setup.quantity(function).deviation(),
+        errors,
+    };
+    let spread = |&(_, function): &(Estimator, FunctionId), sizes: &mut dyn Iterator<Item = f64>| {
+        let unit = setup.quantity(function).deviation();
+        Spread::of(sizes.map(|size| unit.from_inner(size)).collect())
+    };
+    let errors: Vec<(Told, Option<Errors>)> = match drawn {
+        Drawn::Machines => {
+            let errors = |(asked, (told, trials)): (&_, (Told, Vec<Trial>))| {
+                let spread = |of: fn(&Trial) -> f64| spread(asked, &mut trials.iter().map(of));
+                let machines =
+                    || Some(MachineErrors { linearisation: spread(|t| t.linearisation)?, both: spread(|t| t.both)? });
+                (told, spread(|t| t.noise).map(|noise| Errors { noise, machines: machines() }))
             };
-            let function = setup.function_name(function);
-            studies.push(Study { estimator, function, told, unit, errors: errors() });
+            asked.iter().zip(monte_carlo(setup, draws, &asked, done)?).map(errors).collect()
         }
-    }
-    Ok(studies)
+        Drawn::NoiseAlone => {
+            let errors = |(asked, (told, sizes)): (&_, (Told, Vec<f64>))| {
+                (told, spread(asked, &mut sizes.into_iter()).map(|noise| Errors { noise, machines: None }))
+            };
+            asked.iter().zip(noise_alone(setup, draws, &asked, done)?).map(errors).collect()
+        }
+    };
+    Ok(asked.iter().zip(errors).map(study).collect())
 }
 
 /// What to be wary of before anything is drawn.

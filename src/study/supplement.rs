@@ -6,23 +6,25 @@
 //! there the budget takes each error as large as its limit lets it be, in the worst shape.
 
 use super::budget::{Instrument, Sources};
-use super::draw::draw;
+use super::draw::Population;
 use super::estimate::{EstimateError, fit_with};
 use super::fit::{Estimator, Observation, Variance};
 use super::monte_carlo::Draws;
+use super::operator::Operator;
+use super::seen::Seen;
 use super::setup::{Setup, coordinate};
 use super::slow::{SLOW, slow};
 use super::told::Told;
+use super::track::Tracks;
 use super::visited::{between, visited};
-use super::weights::Weights;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
+use trunnion_codegen::algebra::ErrorId;
 use trunnion_codegen::identify::Extent;
-use trunnion_codegen::ids::{FunctionId, RunId};
+use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::ErrorValues;
-use trunnion_codegen::measurement::ExactReading;
 use trunnion_codegen::quantity::Unit;
 use typed_index_collections::TiVec;
 
@@ -47,10 +49,19 @@ pub struct Checked {
 }
 
 /// A function at a coordinate, before anything is drawn.
-struct Point {
-    function: FunctionId,
+struct Point<'a> {
+    seen: &'a Seen,
+    error: ErrorId,
     at: f64,
-    weights: Weights,
+    basis: Vec<f64>,
+}
+
+/// Where a reading is taken, as the instrument's errors depend on it.
+struct Place {
+    /// A slow error's functions.
+    waves: [f64; SLOW],
+    /// The bar's nominal length, mm.
+    bar: Option<f64>,
 }
 
 /// Compares the budget of every estimated function with `draws` of the whole measurement.
@@ -65,16 +76,16 @@ pub fn supplement(
 ) -> Result<Vec<Checked>, EstimateError> {
     let runs = || setup.model.runs.keys();
     let sweeps: TiVec<RunId, Vec<f64>> = runs().map(|run| setup.swept(run, draws.samples, draws.range)).collect();
-    let exact: TiVec<RunId, ExactReading> = runs().map(|run| setup.exact(run, &sweeps[run])).collect();
+    let tracks = Tracks::new(setup, &sweeps);
+    let machines = Population::new(setup, tracks.exact(), draws.limits);
+    let streams = ChaCha8Rng::seed_from_u64(draws.seed);
     // One measurement stands for all in what is proportional to the readings.
-    let mut first = ChaCha8Rng::seed_from_u64(draws.seed);
-    let machine = draw(setup, &exact.raw, draws.limits, &mut first);
-    let observe = |run| setup.observe(run, &exact[run], &sweeps[run], &machine, || 0.0);
-    let observations: Vec<Observation> = runs().map(observe).collect();
+    let machine = machines.draw(&mut streams.clone());
+    let observe = |(run, exact)| setup.observe(run, exact, &sweeps[run], &machine, || 0.0);
+    let observations: Vec<Observation> = runs().zip(tracks.exact()).map(observe).collect();
     let fitted = fit_with(setup, &observations, estimator, Variance::Known(draws.noise / 3f64.sqrt()))?;
     let sources = Sources::new(setup, &observations, &fitted, draws.limits, instrument, false);
-    let mut points = Vec::new();
-    let mut checked = Vec::new();
+    let (mut points, mut weights, mut checked) = (Vec::new(), Vec::new(), Vec::new());
     for seen in fitted.functions().iter().filter(|seen| seen.extent() != Extent::NotSeen) {
         let function = seen.function();
         let (told, unit) = (seen.told(setup), setup.quantity(function).deviation());
@@ -90,41 +101,45 @@ pub fn supplement(
                 sum: [budget.of_the_sum().combined.expanded, 0.0],
                 whole: [budget.combined.expanded, 0.0],
             });
-            points.push(Point { function, at, weights: fitted.sensitivity(setup, &observations, function, at) });
+            let error = setup.model.functions[function].error;
+            points.push(Point { seen, error, at, basis: seen.basis(setup, at) });
+            weights.push(fitted.sensitivity(setup, &observations, function, at));
         }
     }
-    let trial = |n: u64| -> Vec<[f64; 2]> {
-        let mut random = ChaCha8Rng::seed_from_u64(draws.seed);
-        random.set_stream(n + 1);
-        let machine = draw(setup, &exact.raw, draws.limits, &mut random);
-        let common = Common::new(instrument, &mut random);
-        let readings: Vec<Vec<f64>> = runs()
-            .map(|run| {
-                let known = setup.true_known(run, &exact[run], &machine);
-                let mut row = setup.row(run);
-                let reading = |(i, clean): (usize, f64)| {
-                    let sweep = sweeps[run][i];
-                    let noise = random.random_range(-1.0..=1.0) * draws.noise;
-                    let explained: f64 =
-                        row.at(sweep, 1.0).1.iter().zip(known.get(i).into_iter().flatten()).map(|(f, k)| f * k).sum();
-                    clean + noise + common.error(setup, run, sweep, clean) - explained
-                };
-                exact[run].values(&machine).enumerate().map(reading).collect()
-            })
-            .collect();
-        let base = machine.base(setup);
-        let off = |p: &Point| {
-            let estimate = p.weights.apply(&readings);
-            let sum = fitted.seen(p.function).map_or(0.0, |seen| seen.truth(setup, &base, p.at));
-            let whole = machine.value(setup.model.functions[p.function].error, p.at);
-            [estimate - sum, estimate - whole]
-        };
-        points.iter().map(off).collect()
+    let operator = Operator::new(tracks.samples(), weights);
+    let place = |run: RunId, sweep: f64| {
+        let mut waves = [0.0; SLOW];
+        slow(sweep, &mut waves);
+        Place { waves, bar: setup.bar(run) }
     };
-    let trials: Vec<Vec<[f64; 2]>> = (0..draws.trials).into_par_iter().map(trial).collect();
+    let places: Vec<Place> =
+        sweeps.iter_enumerated().flat_map(|(run, sweeps)| sweeps.iter().map(move |s| place(run, *s))).collect();
+    let trial = |[readings, estimates]: &mut [Vec<f64>; 2], (n, off): (usize, &mut [[f64; 2]])| {
+        let mut random = streams.clone();
+        random.set_stream(n as u64 + 1);
+        let machine = machines.draw(&mut random);
+        let common = Common::new(instrument, &mut random);
+        let readings = &mut readings[..];
+        tracks.read(&machine, &mut readings[..places.len()]);
+        for (reading, place) in readings.iter_mut().zip(&places) {
+            let noise = random.random_range(-1.0..=1.0) * draws.noise;
+            *reading += noise + common.error(place, *reading);
+        }
+        tracks.explain(&machine, &mut readings[..places.len()]);
+        operator.apply(readings, estimates);
+        let parameters = machine.parameters(setup);
+        for ((point, estimate), off) in points.iter().zip(estimates).zip(off) {
+            let seen = point.seen.coefficients(machine.factors(point.error), &parameters);
+            let sum: f64 = seen.zip(&point.basis).map(|(c, b)| c * b).sum();
+            *off = [*estimate - sum, *estimate - machine.value(point.error, point.at)];
+        }
+    };
+    let mut trials = vec![[0.0; 2]; draws.trials as usize * points.len()];
+    let room = || [operator.readings(), operator.combinations()];
+    trials.par_chunks_mut(points.len().max(1)).enumerate().for_each_init(room, trial);
     for (i, checked) in checked.iter_mut().enumerate() {
         let half = |which: usize| {
-            let mut sizes: Vec<f64> = trials.iter().map(|t| t[i][which].abs()).collect();
+            let mut sizes: Vec<f64> = trials.iter().skip(i).step_by(points.len()).map(|off| off[which].abs()).collect();
             sizes.sort_by(f64::total_cmp);
             let at = (0.95 * sizes.len() as f64).ceil() as usize;
             checked.unit.from_inner(sizes.get(at.saturating_sub(1)).copied().unwrap_or(0.0))
@@ -155,11 +170,9 @@ impl Common {
     }
 
     /// What the instrument adds to a reading, mm.
-    fn error(&self, setup: &Setup, run: RunId, sweep: f64, reading: f64) -> f64 {
-        let mut waves = [0.0; SLOW];
-        slow(sweep, &mut waves);
-        let constant: f64 = waves.iter().zip(&self.slow).map(|(w, s)| w * s).sum();
-        let bar = setup.bar(run).map_or(0.0, |bar| self.length + bar * self.expansion);
+    fn error(&self, place: &Place, reading: f64) -> f64 {
+        let constant: f64 = place.waves.iter().zip(&self.slow).map(|(w, s)| w * s).sum();
+        let bar = place.bar.map_or(0.0, |bar| self.length + bar * self.expansion);
         constant + reading * self.proportional + bar
     }
 }

@@ -5,12 +5,13 @@
 //! samples are worked out once for each pair of functions; what remains is quadratic in their factors, and its size on
 //! machines drawn within the limits is a mean over draws.
 
-use super::draw::{SimulatedMachine, draw, parts};
+use super::draw::{Population, SimulatedMachine};
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
 use super::neglected::{SecondOrder, product_name, product_size};
 use super::seen::Seen;
 use super::setup::{Setup, SetupError};
+use super::shape::parts;
 use super::simulate::grid;
 use super::weights::Weights;
 use rand::SeedableRng;
@@ -217,10 +218,11 @@ fn machines(
         setup.exact(o.run, &grid(SCALED_OVER, (low, high)))
     };
     let runs: Vec<ExactReading> = observations.iter().map(exact).collect();
+    let machines = Population::new(setup, &runs, limits);
     (0..MACHINES).map(move |n| {
         let mut random = ChaCha8Rng::seed_from_u64(0);
         random.set_stream(n);
-        draw(setup, &runs, limits, &mut random)
+        machines.draw(&mut random)
     })
 }
 

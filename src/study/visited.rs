@@ -13,9 +13,7 @@ pub fn visited<S: AsRef<[f64]>>(
     runs: impl IntoIterator<Item = (RunId, S)>,
 ) -> Option<(f64, f64)> {
     let (axis, _) = setup.model.axis_of(setup.model.functions[function].error)?;
-    let along = |(run, sweeps): (RunId, S)| {
-        setup.exact(run, sweeps.as_ref()).run().coordinates(axis).flatten().collect::<Vec<_>>()
-    };
+    let along = |(run, sweeps): (RunId, S)| setup.coordinates(run, axis, sweeps.as_ref());
     let at: Vec<f64> = runs.into_iter().flat_map(along).collect();
     let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
     (low <= high).then_some((low, high))

@@ -195,8 +195,7 @@ fn conditions(setup: &Setup, observations: &[Observation], function: FunctionId)
     points.sort_by(f64::total_cmp);
     points.dedup();
     let interval = (*points.first()?, *points.last()?);
-    let along =
-        |(run, sweeps): (_, Vec<f64>)| setup.exact(run, &sweeps).run().coordinates(axis).flatten().collect::<Vec<_>>();
+    let along = |(run, sweeps): (_, Vec<f64>)| setup.coordinates(run, axis, &sweeps);
     let data: Vec<f64> = sweeps(observations).flat_map(along).collect();
     let visited = visited(setup, function, sweeps(observations))?;
     let function = setup.function_name(function);

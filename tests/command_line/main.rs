@@ -273,4 +273,22 @@ fn monte_carlo_depends_on_its_seed_alone() {
     assert_eq!(run("1"), run("1"));
     assert_ne!(run("1"), run("2"));
     assert_eq!(run("1")["trials"], 20);
+    let arguments = ["monte-carlo", MODEL, "--trials", "40", "--samples", "36"];
+    let on = |threads: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_trunnion"));
+        let output =
+            command.current_dir(here.path()).args(arguments).env("RAYON_NUM_THREADS", threads).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        output.stdout
+    };
+    assert_eq!(on("1"), on("3"));
+    let rows = |more: &[&str]| -> Vec<String> {
+        let said = succeeds(here.path(), &[&arguments[..], more].concat());
+        said.lines()
+            .filter(|line| line.contains("step  noise ") || line.contains("joint     noise "))
+            .map(str::to_owned)
+            .collect()
+    };
+    let noise = rows(&["--noise-alone"]);
+    assert!(noise.len() == 2 && noise == rows(&[]), "{noise:?}");
 }

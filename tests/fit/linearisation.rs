@@ -3,7 +3,7 @@
 use super::{ESTIMATORS, Set, number, relative};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use trunnion::study::{ErrorLimits, draw, grid, neglected};
+use trunnion::study::{ErrorLimits, Population, grid, neglected};
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::measurement::ExactReading;
 use typed_index_collections::TiVec;
@@ -37,8 +37,9 @@ fn no_drawn_machine_is_further_from_linear_than_the_bound() {
         set.setup.model.runs.keys().map(|run| set.setup.exact(run, &sweeps)).collect();
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let mut closest = 0.0f64;
+    let machines = Population::new(&set.setup, &exact, ErrorLimits::PAPER);
     for _ in 0..100 {
-        let machine = draw(&set.setup, &exact.raw, ErrorLimits::PAPER, &mut random);
+        let machine = machines.draw(&mut random);
         let base = machine.base(&set.setup);
         for (run, exact) in exact.iter_enumerated() {
             let bound = neglected(&set.setup, run, &sweeps, ErrorLimits::PAPER).unwrap().bound;

@@ -5,16 +5,14 @@
 
 use super::gum::COVERAGE;
 use super::parts::Parts;
-use crate::study::draw::draw;
+use crate::study::draw::Population;
 use crate::study::fit::{Fit, Observation};
 use crate::study::limits::ErrorLimits;
 use crate::study::setup::Setup;
+use crate::study::track::Track;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use trunnion_codegen::algebra::ErrorId;
-use trunnion_codegen::kinematics::ErrorValues;
-use trunnion_codegen::measurement::ExactReading;
 
 /// Machines drawn: a root mean square over them is good to some 4 %.
 const MACHINES: u64 = 400;
@@ -22,15 +20,6 @@ const MACHINES: u64 = 400;
 const SAMPLES: usize = 180;
 /// Errors so small that products of two do not count.
 const SMALL: f64 = 1e-4;
-
-/// A machine with all its errors times a factor.
-struct Scaled<'a, M>(&'a M, f64);
-
-impl<M: ErrorValues> ErrorValues for Scaled<'_, M> {
-    fn value(&self, error: ErrorId, coordinate: f64) -> f64 {
-        self.0.value(error, coordinate) * self.1
-    }
-}
 
 /// What linearisation drops on the drawn machines.
 pub(super) struct Dropped {
@@ -43,16 +32,19 @@ pub(super) struct Dropped {
 pub(super) fn linearisation(setup: &Setup, observations: &[Observation], fit: &Fit, limits: ErrorLimits) -> Dropped {
     let thinned: Vec<Observation> = observations.iter().map(thin).collect();
     let sweeps = |o: &Observation| o.samples.iter().map(|s| s.sweep).collect::<Vec<_>>();
-    let exact: Vec<ExactReading> = thinned.iter().map(|o| setup.exact(o.run, &sweeps(o))).collect();
+    let tracks: Vec<Track> = thinned.iter().map(|o| Track::new(setup, o.run, &sweeps(o))).collect();
+    let machines = Population::new(setup, tracks.iter().map(Track::exact), limits);
     let share = 1.0 / (MACHINES as f64).sqrt();
     let dropped = |n: u64| -> Vec<Vec<f64>> {
         let mut random = ChaCha8Rng::seed_from_u64(0);
         random.set_stream(n);
-        let machine = draw(setup, &exact, limits, &mut random);
-        let small = Scaled(&machine, SMALL);
-        let run =
-            |e: &ExactReading| e.values(&machine).zip(e.values(&small)).map(|(y, s)| (y - s / SMALL) * share).collect();
-        exact.iter().map(run).collect()
+        let machine = machines.draw(&mut random);
+        let small = machine.scaled(SMALL);
+        let run = |track: &Track| {
+            let [exact, linear] = [&machine, &small].map(|machine| track.readings(machine));
+            exact.iter().zip(linear).map(|(y, s)| (y - s / SMALL) * share).collect()
+        };
+        tracks.iter().map(run).collect()
     };
     let dropped: Vec<Vec<Vec<f64>>> = (0..MACHINES).into_par_iter().map(dropped).collect();
     let usual = |run: usize| {
