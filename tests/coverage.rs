@@ -1,7 +1,7 @@
 //! Statistics over many drawn machines: how often the 95 % band covers the truth, how large the largest error gets.
 
+use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,8 +1,8 @@
 //! Runs measured in both directions and several times: all readings are data, the hysteresis is told.
 
+use chacha20::ChaCha8Rng;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
-use rand_chacha::ChaCha8Rng;
 use std::fmt::Write;
 use trunnion::data;
 use trunnion::study::{ErrorLimits, Estimator, Instrument, Report, Setup, Simulation, fit, report};

@@ -1,8 +1,8 @@
 //! The combined 95 % intervals hold the truth as often as they say, on machines drawn within the stated limits: every estimated
 //! function of every model of the catalogue, those included that are determined only up to what the limits allow.
 
+use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use trunnion::study::plan::subset;

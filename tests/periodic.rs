@@ -1,8 +1,8 @@
 //! A function that its conditions make periodic: −20° is 340°, in simulations, fits and what is said of them. It once was
 //! wrong by 30 µrad without a word.
 
+use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::fs;

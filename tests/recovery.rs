@@ -1,7 +1,7 @@
 //! Every model of the catalogue recovers what was put into its exact simulation; predictions are what happens.
 
+use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use trunnion::study::plan::{Intended, additions, predict, subset};
 use trunnion::study::{

@@ -1,8 +1,8 @@
 //! Huber's estimator against one made of dense matrices, and on readings of which some are far off.
 
+use chacha20::ChaCha8Rng;
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use trunnion::study::{ErrorLimits, Estimator, Fit, How, Observation, Setup, Simulation, fit, fit_recorded};
 
 const K: f64 = 1.345;

@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::SVector;
 use std::hint::black_box;
-use trunnion_solver::{Real, lstsq::Factor};
+use trunnion_solver::{DoubleDouble, Real, lstsq::Factor};
 
 /// A dense row that differs from sample to sample.
 fn row<T: Real, const P: usize>(i: u32) -> SVector<T, P> {
@@ -39,6 +39,7 @@ fn lstsq(c: &mut Criterion) {
     benches_of::<f64, 8>(c, "f64");
     benches_of::<f32, 13>(c, "f32");
     benches_of::<f64, 13>(c, "f64");
+    benches_of::<DoubleDouble, 13>(c, "double-double");
 }
 
 criterion_group!(benches, lstsq);

@@ -26,6 +26,7 @@
 //! | [`tilting`] | the paper's tilting table T, as the generator prints it | |
 //! | [`model`] | what the fit of a generated model may refuse | |
 //! | `circle` | circles through probed points | `circle`, on by default |
+//! | `DoubleDouble` | 31 digits for the factor, where the method itself is calibrated | `double-double` |
 //! | `exechon` | the parallel machine of paper E: kinematics, dependent rotation | `exechon`, on by default |
 //! | `probe` | a touch probe's offset | `probe`, on by default |
 //! | `Machine` | the macro for a machine of one's own | `derive` |
@@ -40,6 +41,8 @@ extern crate std;
 
 #[cfg(feature = "circle")]
 pub mod circle;
+#[cfg(feature = "double-double")]
+mod double_double;
 #[cfg(feature = "exechon")]
 pub mod exechon;
 #[doc(hidden)]
@@ -53,6 +56,8 @@ pub mod sized;
 pub mod tilting;
 mod trig;
 
+#[cfg(feature = "double-double")]
+pub use double_double::DoubleDouble;
 pub use lstsq::Real;
 /// The crates that generated code and its callers speak in.
 pub use {nalgebra, num_traits};

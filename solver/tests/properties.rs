@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use proptest::prelude::*;
 use trunnion_solver::{
-    Real,
+    DoubleDouble, Real,
     lstsq::{Factor, Order, Solution},
 };
 
@@ -22,7 +22,7 @@ fn number() -> impl Strategy<Value = f64> {
         1 => Just(1.0),
         1 => any::<f64>(),
         1 => (-320..308i32).prop_map(|e| 10f64.powi(e)),
-        1 => prop::sample::select(&[-100, -50, -45, 44, 45, -800, -400, 399, 400]).prop_map(|e| 2f64.powi(e)),
+        1 => prop::sample::select(&[-100, -50, -45, 44, 45, -800, -700, -400, -350, 349, 350, 399, 400, 700]).prop_map(|e| 2f64.powi(e)),
         1 => (-45..38i32).prop_map(|e| -(10f64.powi(e))),
     ]
 }
@@ -100,6 +100,11 @@ proptest! {
     #[test]
     fn any_sequence_in_f64(steps in prop::collection::vec(step(), 0..24)) {
         run::<f64>(&steps);
+    }
+
+    #[test]
+    fn any_sequence_in_double_double(steps in prop::collection::vec(step(), 0..24)) {
+        run::<DoubleDouble>(&steps);
     }
 
     #[test]

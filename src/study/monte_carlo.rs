@@ -9,8 +9,8 @@ use super::noise::Noise;
 use super::setup::Setup;
 use super::told::Told;
 use super::track::Tracks;
+use chacha20::ChaCha8Rng;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
 use trunnion_codegen::ids::{FunctionId, RunId};
 use typed_index_collections::TiVec;
 
@@ -57,10 +57,10 @@ pub fn monte_carlo(
     let estimated = Estimated::new(setup, &sweeps, asked)?;
     let tracks = Tracks::new(setup, &sweeps);
     let machines = Population::new(setup, tracks.exact(), draws.limits);
-    let (streams, noise) = (ChaCha8Rng::seed_from_u64(draws.seed), Noise::new(draws.seed, draws.noise));
+    let noise = Noise::new(draws.seed, draws.noise);
     let samples = tracks.samples();
     let trial = |room: &mut Room, n: u64, trials: &mut [Trial]| {
-        let mut random = streams.clone();
+        let mut random = ChaCha8Rng::seed_from_u64(draws.seed);
         random.set_stream(n);
         let machine = machines.draw(&mut random);
         tracks.read(&machine, &mut room.readings[..samples]);

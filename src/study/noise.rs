@@ -3,25 +3,25 @@
 //! A trial has its own stream, so that it does not matter which thread draws it or what else is drawn: ChaCha gives the state
 //! that xoshiro256++ goes on from, which is three times as fast.
 
+use chacha20::ChaCha8Rng;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 /// Uniform noise.
 pub(super) struct Noise {
-    states: ChaCha8Rng,
+    seed: u64,
     width: f64,
 }
 
 impl Noise {
     /// Of half width `width`.
     pub fn new(seed: u64, width: f64) -> Self {
-        Self { states: ChaCha8Rng::seed_from_u64(seed), width }
+        Self { seed, width }
     }
 
     /// Fills `values` with those of a trial.
     pub fn fill(&self, trial: u64, values: &mut [f64]) {
-        let mut states = self.states.clone();
+        let mut states = ChaCha8Rng::seed_from_u64(self.seed);
         // Machines are drawn from the streams at the other end.
         states.set_stream(!trial);
         let mut state = [0; 32];

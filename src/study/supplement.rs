@@ -17,8 +17,8 @@ use super::slow::{SLOW, slow};
 use super::told::Told;
 use super::track::Tracks;
 use super::visited::{between, visited};
+use chacha20::ChaCha8Rng;
 use rand::{Rng, RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 use trunnion_codegen::algebra::ErrorId;
@@ -78,9 +78,8 @@ pub fn supplement(
     let sweeps: TiVec<RunId, Vec<f64>> = runs().map(|run| setup.swept(run, draws.samples, draws.range)).collect();
     let tracks = Tracks::new(setup, &sweeps);
     let machines = Population::new(setup, tracks.exact(), draws.limits);
-    let streams = ChaCha8Rng::seed_from_u64(draws.seed);
     // One measurement stands for all in what is proportional to the readings.
-    let machine = machines.draw(&mut streams.clone());
+    let machine = machines.draw(&mut ChaCha8Rng::seed_from_u64(draws.seed));
     let observe = |(run, exact)| setup.observe(run, exact, &sweeps[run], &machine, || 0.0);
     let observations: Vec<Observation> = runs().zip(tracks.exact()).map(observe).collect();
     let fitted = fit_with(setup, &observations, estimator, Variance::Known(draws.noise / 3f64.sqrt()))?;
@@ -115,7 +114,7 @@ pub fn supplement(
     let places: Vec<Place> =
         sweeps.iter_enumerated().flat_map(|(run, sweeps)| sweeps.iter().map(move |s| place(run, *s))).collect();
     let trial = |[readings, estimates]: &mut [Vec<f64>; 2], (n, off): (usize, &mut [[f64; 2]])| {
-        let mut random = streams.clone();
+        let mut random = ChaCha8Rng::seed_from_u64(draws.seed);
         random.set_stream(n as u64 + 1);
         let machine = machines.draw(&mut random);
         let common = Common::new(instrument, &mut random);

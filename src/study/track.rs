@@ -173,8 +173,8 @@ impl Work for Explain<'_> {
 mod tests {
     use super::*;
     use crate::study::{ErrorLimits, Population, grid};
+    use chacha20::ChaCha8Rng;
     use rand::SeedableRng;
-    use rand_chacha::ChaCha8Rng;
     use std::f64::consts::TAU;
     use trunnion_codegen::catalogue::MODELS;
 

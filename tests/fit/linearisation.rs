@@ -1,8 +1,8 @@
 //! What linearisation leaves stays within its bound.
 
 use super::{ESTIMATORS, Set, number, relative};
+use chacha20::ChaCha8Rng;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
 use trunnion::study::{ErrorLimits, Population, grid, neglected};
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::measurement::ExactReading;

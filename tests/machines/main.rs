@@ -10,10 +10,10 @@ mod space;
 mod told;
 mod wave;
 
+use chacha20::ChaCha8Rng;
 use machine::Machine;
 use nalgebra::DMatrix;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use reference::{Linear, Reference, stacked};
 use space::{Space, in_units};

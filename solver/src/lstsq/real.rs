@@ -1,10 +1,10 @@
-//! The scalar: `f32` or `f64`, with or without the standard library.
+//! The scalar: `f32` or `f64`, with or without the standard library, or `DoubleDouble`.
 
 use crate::trig;
 use core::fmt::{Debug, Display};
 use num_traits::{Float, NumAssign};
 
-/// A floating-point scalar of the solver: `f32` or `f64`.
+/// A floating-point scalar of the solver: `f32`, `f64`, or `DoubleDouble` of the feature `double-double`.
 pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
     /// Weights and squares of columns below this count as zero: what is divided by them stays within the range of the type.
     /// A power of two; so is its inverse, the largest weight.

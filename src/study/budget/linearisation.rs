@@ -10,8 +10,8 @@ use crate::study::fit::{Fit, Observation};
 use crate::study::limits::ErrorLimits;
 use crate::study::setup::Setup;
 use crate::study::track::Track;
+use chacha20::ChaCha8Rng;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 /// Machines drawn: a root mean square over them is good to some 4 %.

@@ -161,8 +161,8 @@ pub(super) fn median_size(numbers: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use chacha20::ChaCha8Rng;
     use rand::{RngExt, SeedableRng};
-    use rand_chacha::ChaCha8Rng;
 
     #[test]
     fn noise_is_noise_and_a_wave_or_a_spike_in_it_is_seen() {
