@@ -29,7 +29,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
     }
 
     /// Condition of the first `n` columns, as if there were no others.
-    pub(super) fn condition_of_first(&self, n: usize) -> Result<Condition<T, P>, SolveError<P>> {
+    pub(crate) fn condition_of_first(&self, n: usize) -> Result<Condition<T, P>, SolveError<P>> {
         let triangle = Triangle::leading(self, n);
         triangle.independent(&triangle.inverse()).map_err(SolveError::RankDeficient)?;
         let (n, norm2) = (n.min(P), triangle.squared_norms());

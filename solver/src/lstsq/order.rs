@@ -48,6 +48,11 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
     /// # Errors
     /// [`OrderError`]; as a constant's value it stops the compilation.
     pub const fn new(first: &[usize], own: &[usize], given: &[usize]) -> Result<Self, OrderError> {
+        Self::within(P, first, own, given)
+    }
+
+    /// As [`new`](Self::new) for the first `n` base parameters; there is nothing beyond them.
+    pub(crate) const fn within(n: usize, first: &[usize], own: &[usize], given: &[usize]) -> Result<Self, OrderError> {
         if first.len() > F || own.len() > S || given.len() > S - own.len() {
             return Err(OrderError::TooWide);
         }
@@ -58,7 +63,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         let mut i = 0;
         while i < first.len() + own.len() {
             let base = if i < first.len() { first[i] } else { own[i - first.len()] };
-            if base >= P {
+            if base >= P || base >= n {
                 return Err(OrderError::OutOfRange(base));
             }
             if estimated[base] {
@@ -74,7 +79,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
             i += 1;
         }
         let mut base = 0;
-        while base < P {
+        while base < P && base < n {
             if !estimated[base] {
                 return Err(OrderError::Missing(base));
             }

@@ -12,7 +12,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// coefficients, if the columns are dependent when scaled to unit norm (so the decision is free of units);
     /// [`SolveError::NotFinite`] if a result overflows.
     pub fn solve(&self) -> Result<Solution<T, P>, SolveError<P>> {
-        self.estimate(None)
+        self.estimate(P, None)
     }
 
     /// As [`solve`](Self::solve), with the standard deviation `sigma` of a sample of weight one known beforehand:
@@ -21,15 +21,16 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// # Errors
     /// As [`solve`](Self::solve); [`SolveError::NotFinite`] also for a `sigma` that is not finite.
     pub fn solve_with_sigma(&self, sigma: T) -> Result<Solution<T, P>, SolveError<P>> {
-        self.estimate(Some(sigma * sigma))
+        self.estimate(P, Some(sigma * sigma))
     }
 
+    /// The estimate of the first `n` unknowns of a factor whose other columns are zero; the result is zero beyond them.
     #[inline]
-    fn estimate(&self, variance: Option<T>) -> Result<Solution<T, P>, SolveError<P>> {
-        let triangle = Triangle::leading(self, P);
+    pub(crate) fn estimate(&self, n: usize, variance: Option<T>) -> Result<Solution<T, P>, SolveError<P>> {
+        let triangle = Triangle::leading(self, n);
         let mut covariance = triangle.inverse();
         triangle.determined(&covariance, variance)?;
-        let residual = Residual::new(self.rss, self.samples, P);
+        let residual = Residual::new(self.rss, self.samples, n);
         triangle.covariance(&mut covariance, variance.unwrap_or(residual.variance));
         Solution::finite(triangle.back_substitute(self.q), covariance, residual).ok_or(SolveError::NotFinite)
     }

@@ -132,14 +132,16 @@ impl<const P: usize> Push<'_, P> {
     }
 }
 
+/// The first `n` of what was solved.
 fn solved<const P: usize>(
+    n: usize,
     solution: Solution<f64, P>,
     condition: Condition<f64, P>,
     sensitivity: [SMatrix<f64, P, P>; 2],
 ) -> Solved {
-    let matrix = |m: &SMatrix<f64, P, P>| DMatrix::from_iterator(P, P, m.iter().copied());
+    let matrix = |m: &SMatrix<f64, P, P>| DMatrix::from_fn(n, n, |i, j| m[(i, j)]);
     Solved {
-        coefficients: DVector::from_iterator(P, solution.coefficients.iter().copied()),
+        coefficients: DVector::from_fn(n, |i, _| solution.coefficients[i]),
         covariance: matrix(&solution.covariance),
         degrees_of_freedom: solution.degrees_of_freedom,
         sensitivity: sensitivity.each_ref().map(matrix),
@@ -152,22 +154,25 @@ fn enough(step: Step, samples: u32, columns: usize) -> Result<(), Unsolved> {
     if samples as usize > columns { Ok(()) } else { Err(Unsolved::TooFew { step, samples, needed: columns + 1 }) }
 }
 
-/// All runs in one problem.
-struct OneStep<const P: usize>(Blocked<f64, P>);
+/// All runs in one problem of `n` unknowns.
+struct OneStep<const P: usize> {
+    n: usize,
+    factor: Blocked<f64, P>,
+}
 
 impl<const P: usize> Estimate for OneStep<P> {
     fn push(&mut self, _: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected> {
-        Push { factor: &mut self.0, block, rows, weight }.done()
+        Push { factor: &mut self.factor, block, rows, weight }.done()
     }
 
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
-        let factor = self.0.factor();
+        let (n, factor) = (self.n, self.factor.factor());
         let unsolved = |e| Unsolved::of(Step::First, e);
-        enough(Step::First, factor.samples(), P)?;
-        let unit = factor.solve_with_sigma(1.0).map_err(unsolved)?.covariance;
-        let solution =
-            sigma.map_or_else(|| factor.solve(), |sigma| factor.solve_with_sigma(sigma)).map_err(unsolved)?;
-        Ok(solved(solution, factor.condition().map_err(unsolved)?, [unit, SMatrix::zeros()]))
+        enough(Step::First, factor.samples(), n)?;
+        let unit = factor.estimate(n, Some(1.0)).map_err(unsolved)?.covariance;
+        let solution = factor.estimate(n, sigma.map(|sigma| sigma * sigma)).map_err(unsolved)?;
+        let condition = factor.condition_of_first(n).map_err(unsolved)?;
+        Ok(solved(n, solution, condition, [unit, SMatrix::zeros()]))
     }
 }
 
@@ -196,30 +201,30 @@ impl<const P: usize> Estimate for TwoSteps<P> {
         let solution = solution.map_err(unsolved)?;
         let sensitivity = order.sensitivity(first, second).map_err(unsolved)?;
         let condition = order.condition(first, second).map_err(unsolved)?;
-        Ok(solved(solution, condition, [sensitivity.first, sensitivity.second]))
+        let n = order.first().len() + order.own().len();
+        Ok(solved(n, solution, condition, [sensitivity.first, sensitivity.second]))
     }
 }
 
-fn of<const P: usize>(columns: &Columns) -> Option<Box<dyn Estimate>> {
+fn of<const P: usize>(n: usize, columns: &Columns) -> Option<Box<dyn Estimate>> {
     if columns.own.is_empty() {
-        return Some(Box::new(OneStep::<P>(Blocked::new())));
+        return Some(Box::new(OneStep::<P> { n, factor: Blocked::new() }));
     }
-    let order = Order::<P, P, P>::new(&columns.first, &columns.own, &columns.given).ok()?;
+    let order = Order::<P, P, P>::within(n, &columns.first, &columns.own, &columns.given).ok()?;
     Some(Box::new(TwoSteps::<P> { order, first: Blocked::new(), second: Blocked::new() }))
-}
-
-macro_rules! of_size {
-    ($size:expr, $columns:expr, $($n:literal)*) => {
-        match $size {
-            $($n => of::<$n>($columns),)*
-            _ => None,
-        }
-    };
 }
 
 /// An estimator without samples for these columns, each coefficient one; `None` for none or more than [`LARGEST`].
 pub fn estimator(columns: &Columns) -> Option<Box<dyn Estimate>> {
-    of_size!(columns.first.len() + columns.own.len(), columns,
-        1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32
-        33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63 64)
+    let n = columns.first.len() + columns.own.len();
+    // A factor may be wider than its columns: each width takes a second or more to compile.
+    match n {
+        1..=8 => of::<8>(n, columns),
+        9..=16 => of::<16>(n, columns),
+        17..=24 => of::<24>(n, columns),
+        25..=32 => of::<32>(n, columns),
+        33..=48 => of::<48>(n, columns),
+        49..=LARGEST => of::<LARGEST>(n, columns),
+        _ => None,
+    }
 }
