@@ -14,6 +14,7 @@ mod problem;
 mod reference;
 mod resolve;
 mod size;
+mod stated;
 mod unknown;
 mod written;
 
@@ -24,9 +25,10 @@ pub use description::{
 pub use draft::{
     Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,
 };
-pub use file::{read, read_draft};
+pub use file::{read, read_draft, read_draft_stated, read_stated};
 pub use prior::{Assumption, Limits, StatedInstrument};
 pub use problem::{Problem, ProblemKind};
+pub use stated::STATED;
 
 pub use unknown::{Coefficient, Origin};
 
