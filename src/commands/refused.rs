@@ -6,7 +6,7 @@ use super::seen::seen;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
-use trunnion::data::{ObservationsError, RadiusError, TextError, WriteError};
+use trunnion::data::{ObservationsError, ProjectError, RadiusError, TextError, WriteError};
 use trunnion::plot::PlotError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
@@ -37,6 +37,16 @@ pub enum Refused {
     Output(#[from] OutputError),
     #[error("no model `{0}` in the catalogue and no such file\n  expected a model file or one of {1}")]
     NoSuchModel(String, String),
+    #[error(
+        "no MODEL, and no trunnion.toml in this folder\n  expected a name from `trunnion models`, a model file, or a project"
+    )]
+    NoModel,
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    Project(PathBuf, ProjectError),
+    #[error(
+        "no run\n  expected --run NAME=FILE for each run that was made, or [run.NAME] with its files in the project"
+    )]
+    NoRuns,
     #[error("{file}: {problem}\n  expected a model file or one of {names}", file = .0.display(), problem = .1, names = .2)]
     Unreadable(PathBuf, io::ErrorKind, String),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]

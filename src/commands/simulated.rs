@@ -1,7 +1,7 @@
 //! What is simulated, as `simulate` and `monte-carlo` take it.
 
 use super::Refused;
-use super::model::ModelArguments;
+use super::model::{ModelArguments, Source};
 use super::number;
 use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
@@ -35,7 +35,7 @@ pub struct SimulationArguments {
 
 impl SimulationArguments {
     /// The model with the ranges of its axes, and what is asked for, where it can be simulated.
-    pub fn simulation(&self, model: &ModelArguments) -> Result<(Setup, Simulation), Refused> {
+    pub fn simulation(&self, model: &ModelArguments, source: &Source) -> Result<(Setup, Simulation), Refused> {
         let (from, to) = (self.from_deg.unwrap_or(0.0), self.to_deg.unwrap_or(360.0));
         if to <= from {
             return Err(Refused::Option(
@@ -44,7 +44,7 @@ impl SimulationArguments {
                 "not beyond the range's beginning\n  expected an angle beyond --from-deg",
             ));
         }
-        let setup = model.setup(|model| self.ranges.apply(model))?;
+        let setup = model.setup(source, |model| self.ranges.apply(model))?;
         let runs = setup.model.runs.len();
         if self.samples as usize * runs > SAMPLES {
             return Err(Refused::Samples(self.samples, SAMPLES / runs.max(1), runs));

@@ -74,6 +74,6 @@ pub use told::Told;
 pub use trunnion_solver::sized::LARGEST;
 pub use visited::{marks, visited};
 pub use warning::{WARN_CONDITION, Warning};
-pub use weigh::{Weighed, WeightError, weigh};
+pub use weigh::{MOST_WEIGHT, Weighed, WeightError, weigh};
 pub use weighed_down::WeighedDown;
 pub use weights::Weights;

@@ -80,7 +80,10 @@ mod tests {
     fn what_is_stated_is_put_over_the_model_s() {
         let stated = "[lengths]\nR_mm = 100\n[instrument]\npreset = \"QC20-W\"\n[axis.A]\nrange = [-30, 120]\n[assume]\ns_xy = \"0\"\n";
         let draft = described(stated).draft().unwrap();
-        assert_eq!(draft.lengths.iter().map(|l| (l.name.value.as_str(), l.value)).collect::<Vec<_>>(), [("R_mm", 100.0)]);
+        assert_eq!(
+            draft.lengths.iter().map(|l| (l.name.value.as_str(), l.value)).collect::<Vec<_>>(),
+            [("R_mm", 100.0)]
+        );
         assert_eq!(draft.axes.iter().find(|a| a.name.value == "A").and_then(|a| a.range), Some([-30.0, 120.0]));
         let (model, _) = described(stated).derive().unwrap();
         assert_eq!(model.assumptions.iter().map(|a| a.text.as_str()).collect::<Vec<_>>(), ["s_xy = 0"]);
