@@ -29,6 +29,8 @@
 //! | read and write measurement files | [`data`] |
 //! | fit, report, simulate, study | [`study`] |
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
+//! | begin a measurement: project file and measuring plan | [`project`] |
+//! | write the NC program of a run | [`program`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
@@ -37,6 +39,8 @@
 pub mod data;
 pub mod exechon;
 pub mod plot;
+pub mod program;
+pub mod project;
 pub mod study;
 
 pub use study::{Estimator, Setup};

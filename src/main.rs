@@ -23,6 +23,8 @@ enum Command {
     Demo(commands::demo::DemoArguments),
     /// The catalogue: which machine is mine.
     Models(commands::models::ModelsArguments),
+    /// A folder to measure with: project file, measuring plan, NC programs.
+    New(commands::new::NewArguments),
     /// Equations, base parameters and source code of a model.
     Derive(commands::derive::DeriveArguments),
     /// Measurement files of a drawn machine, from exact lengths.
@@ -53,6 +55,7 @@ fn main() -> ExitCode {
     let done = match arguments.command {
         Command::Demo(c) => c.run(),
         Command::Models(c) => c.run(),
+        Command::New(c) => c.run(),
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
         Command::Fit(c) => c.run(),

@@ -6,6 +6,7 @@ pub mod exechon;
 pub mod fit;
 pub mod models;
 pub mod monte_carlo;
+pub mod new;
 pub mod plan;
 pub mod simulate;
 

@@ -43,6 +43,8 @@ pub enum Refused {
     NoModel,
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Project(PathBuf, ProjectError),
+    #[error("{0} is a project already\n  expected a name from `trunnion models`, or a model file")]
+    IsProject(String),
     #[error(
         "no run\n  expected --run NAME=FILE for each run that was made, or [run.NAME] with its files in the project"
     )]

@@ -31,6 +31,7 @@ pub use problem::{Problem, ProblemKind};
 pub use stated::STATED;
 
 pub use unknown::{Coefficient, Origin};
+pub use written::{key, string};
 
 pub use crate::expression::{
     EvaluationError, Expected, Expr, ExprKind, Meaning, Operator, Scope, SyntaxError, parse, parse_equation,
