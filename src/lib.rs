@@ -31,6 +31,7 @@
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
 //! | begin a measurement: project file and measuring plan | [`project`] |
 //! | write the NC program of a run | [`program`] |
+//! | say what has changed between reports | [`history`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
@@ -38,6 +39,7 @@
 
 pub mod data;
 pub mod exechon;
+pub mod history;
 pub mod plot;
 pub mod program;
 pub mod project;

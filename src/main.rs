@@ -31,6 +31,8 @@ enum Command {
     Simulate(commands::simulate::SimulateArguments),
     /// Errors and their uncertainty from measurement files.
     Fit(commands::fit::FitArguments),
+    /// What has changed between reports, beyond their uncertainty.
+    Compare(commands::compare::CompareArguments),
     /// What intended runs would tell: ranges, radii and subsets of runs compared, and which added run tells more.
     Plan(commands::plan::PlanArguments),
     /// Distribution of the largest error of an estimated function over many drawn machines.
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
         Command::Fit(c) => c.run(),
+        Command::Compare(c) => c.run(),
         Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),
         Command::Exechon(c) => c.run(),

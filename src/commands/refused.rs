@@ -7,6 +7,7 @@ use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::data::{ObservationsError, ProjectError, RadiusError, TextError, WriteError};
+use trunnion::history::HistoryError;
 use trunnion::plot::PlotError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
@@ -45,6 +46,10 @@ pub enum Refused {
     Project(PathBuf, ProjectError),
     #[error("{0} is a project already\n  expected a name from `trunnion models`, or a model file")]
     IsProject(String),
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    History(PathBuf, HistoryError),
+    #[error("--function {0}: not in the first report\n  expected one of {1}")]
+    NoSuchFunction(String, String),
     #[error(
         "no run\n  expected --run NAME=FILE for each run that was made, or [run.NAME] with its files in the project"
     )]

@@ -38,6 +38,6 @@ pub use runs::{RunFiles, observations};
 pub use simulated::{simulation_files, write_simulation};
 pub use sweep::{Sweep, SweepSample};
 pub use table::{Known, KnownAtSamples, Table, TableValues};
-pub use text::{Encoding, TextError, read_text};
+pub use text::{Encoding, TextError, read_document, read_text};
 pub use trunnion_codegen::quantity::{Quantity, Unit};
 pub use truth::{Truth, TruthFunction};
