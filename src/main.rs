@@ -2,16 +2,24 @@
 
 mod commands;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use commands::output::{OutputError, say};
 use commands::seen;
 use std::io::{self, Write};
 use std::process::ExitCode;
 use trunnion::data::discard_staged;
 
+const CODES: &str = "\
+Exit codes:
+    0  done
+    2  refused: what was wrong is said on standard error, with file and line; nothing is half written
+  130  interrupted
+
+Colours are left out where NO_COLOR is set or nobody looks.";
+
 /// Derives, fits and embeds the measurement models of multi-axis machine tools.
 #[derive(Debug, Parser)]
-#[command(version, propagate_version = true)]
+#[command(version, propagate_version = true, after_help = CODES)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -40,6 +48,10 @@ enum Command {
     /// The parallel machine: kinematics, dependent rotation, probe offset, ring test.
     #[command(subcommand)]
     Exechon(commands::exechon::Exechon),
+    /// Completions for a shell.
+    Completions(commands::shell::CompletionsArguments),
+    /// Manual pages.
+    Man(commands::shell::ManArguments),
 }
 
 fn main() -> ExitCode {
@@ -65,6 +77,8 @@ fn main() -> ExitCode {
         Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),
         Command::Exechon(c) => c.run(),
+        Command::Completions(c) => c.run(Arguments::command()),
+        Command::Man(c) => c.run(Arguments::command()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -237,3 +237,21 @@ fn the_valuation_number_is_the_function_s_standard_deviation_for_a_micrometre() 
     let scatter = squares.into_iter().fold(0.0, f64::max) / f64::from(trials as u32);
     assert!((told / scatter.sqrt().to_degrees() - 1.0).abs() < 0.06, "{told} against {}", scatter.sqrt().to_degrees());
 }
+
+#[test]
+fn shells_and_readers_are_served() {
+    let directory = tempfile::tempdir().unwrap();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        assert!(succeeds(directory.path(), &["completions", shell]).contains("monte-carlo"), "{shell}");
+    }
+    succeeds(directory.path(), &["man", "--out", "man"]);
+    let page = fs::read_to_string(directory.path().join("man/trunnion-exechon-ring.1")).unwrap();
+    assert!(page.contains("stylus"), "{page}");
+    assert!(succeeds(directory.path(), &["--help"]).contains("130  interrupted"));
+    let range = ["simulate", "tilting-table-a", "--samples", "4"];
+    let of = |more: &[&str], out: &str| {
+        succeeds(directory.path(), &[&range[..], more, &["--out", out]].concat());
+        fs::read_to_string(directory.path().join(out).join("tilting.csv")).unwrap()
+    };
+    assert_eq!(of(&["--range-deg", "-20:200"], "a"), of(&["--from-deg", "-20", "--to-deg", "200"], "b"));
+}

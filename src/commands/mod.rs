@@ -19,6 +19,7 @@ mod pair;
 mod predicted;
 mod refused;
 mod seen;
+pub mod shell;
 mod simulated;
 mod stated;
 

@@ -29,7 +29,8 @@ impl Source {
 
     /// The model.
     pub fn model(&self) -> Result<Model, Refused> {
-        let colour = if std::io::stderr().is_terminal() { Colour::On } else { Colour::Off };
+        let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        let colour = if std::io::stderr().is_terminal() && !plain { Colour::On } else { Colour::Off };
         let derived = self.described.derive();
         Ok(derived.map_err(|problems| Refused::Model(self.described.render(&problems, colour)))?.0)
     }
