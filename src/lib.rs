@@ -27,6 +27,7 @@
 //! | to | see |
 //! |---|---|
 //! | read and write measurement files | [`data`] |
+//! | read the files of instruments | [`import`] |
 //! | fit, report, simulate, study | [`study`] |
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
@@ -36,6 +37,7 @@
 
 pub mod data;
 pub mod exechon;
+pub mod import;
 pub mod plot;
 pub mod study;
 

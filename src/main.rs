@@ -27,6 +27,8 @@ enum Command {
     Derive(commands::derive::DeriveArguments),
     /// Measurement files of a drawn machine, from exact lengths.
     Simulate(commands::simulate::SimulateArguments),
+    /// Files of instruments and of other programs, made files for `fit`.
+    Import(commands::import::ImportArguments),
     /// Errors and their uncertainty from measurement files.
     Fit(commands::fit::FitArguments),
     /// What intended runs would tell: ranges, radii and subsets of runs compared, and which added run tells more.
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         Command::Models(c) => c.run(),
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
+        Command::Import(c) => c.run(),
         Command::Fit(c) => c.run(),
         Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),

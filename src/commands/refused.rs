@@ -6,7 +6,8 @@ use super::seen::seen;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
-use trunnion::data::{ObservationsError, RadiusError, TextError, WriteError};
+use trunnion::data::{FileError, FileProblem, NativeError, ObservationsError, RadiusError, TextError, WriteError};
+use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
@@ -19,6 +20,10 @@ pub enum Refused {
     Exechon(#[from] super::exechon::ExechonRefused),
     #[error("{}", observations(.0))]
     Observations(#[from] ObservationsError),
+    #[error("{}", file(.0))]
+    File(#[from] FileError),
+    #[error(transparent)]
+    Native(#[from] NativeError),
     #[error(transparent)]
     Radius(#[from] RadiusError),
     #[error(transparent)]
@@ -96,9 +101,34 @@ impl Refused {
 
 fn observations(error: &ObservationsError) -> String {
     match error {
+        ObservationsError::File(error) => match &error.problem {
+            FileProblem::Import(problem) => match stated_by(problem.what()) {
+                Some(option) => format!("{error} (trunnion import with {option})"),
+                None => error.to_string(),
+            },
+            _ => error.to_string(),
+        },
+        ObservationsError::UnknownColumn { .. } => format!("--columns: {error}"),
         ObservationsError::RunMissing(run) => format!("run `{run}` is not given\n  expected --run {run}=FILE.csv"),
         other => other.to_string(),
     }
+}
+
+/// The options that state what an instrument's file does not say.
+fn stated_by(what: &Wrong) -> Option<&'static str> {
+    match what {
+        Wrong::NoUnit(_) | Wrong::FeatureUnit(_) => Some("--unit mm or --unit um"),
+        Wrong::NoEnds(_) => Some("--from-deg and --to-deg"),
+        _ => None,
+    }
+}
+
+fn file(error: &FileError) -> String {
+    let option = match &error.problem {
+        FileProblem::Import(problem) => stated_by(problem.what()),
+        _ => None,
+    };
+    option.map_or_else(|| error.to_string(), |option| format!("{error} ({option})"))
 }
 
 fn design(error: &DesignError) -> String {

@@ -3,8 +3,9 @@
 use super::error::{FileError, FileProblem};
 use super::known::KnownAlong;
 use super::limits::{KEPT, SAMPLES};
-use super::lines::{Lines, source};
+use super::lines::{Line, Lines, source};
 use super::sweep::{RunColumns, check};
+use crate::import::{About, Trace, TraceSample, Wrong};
 use crate::study::{Recording, Sample, Setup, Weighed};
 use std::cell::RefCell;
 use std::io::{self, Read};
@@ -25,13 +26,21 @@ pub struct Recorded<'a> {
     samples: usize,
 }
 
+/// By how much of itself the bar's length in an instrument's file may differ from the run's: a bar is known by its calibration.
+const BAR: f64 = 0.01;
+
 /// Where the lines come from each time.
 #[derive(Clone)]
 enum Contents {
     File(PathBuf),
     /// What can be read only once, and was.
     Kept(PathBuf, Rc<RefCell<Vec<u8>>>),
+    /// A run of an instrument's file.
+    Imported(PathBuf, Rc<Trace>),
 }
+
+/// What the columns of a run of an instrument's file are called in messages.
+const IMPORTED: [&str; 2] = ["the arc", "READINGS"];
 
 impl Contents {
     fn of(file: &Path) -> Self {
@@ -44,30 +53,39 @@ impl Contents {
 
     fn file(&self) -> &Path {
         match self {
-            Self::File(file) | Self::Kept(file, _) => file,
+            Self::File(file) | Self::Kept(file, _) | Self::Imported(file, _) => file,
         }
     }
 
     /// Samples that can be gone through.
     fn most(&self) -> usize {
         match self {
-            Self::File(_) => usize::MAX,
+            Self::File(_) | Self::Imported(..) => usize::MAX,
             Self::Kept(..) => SAMPLES,
         }
     }
 
     /// The first time.
-    fn first(&self) -> io::Result<Box<dyn Read>> {
+    fn first(&self, columns: &RunColumns) -> Result<Lines, FileError> {
         match self {
-            Self::File(file) => source(file),
-            Self::Kept(file, bytes) => Ok(Box::new(Keeping { source: source(file)?, bytes: Rc::clone(bytes) })),
+            Self::Kept(file, bytes) => {
+                let keeping = |source| Box::new(Keeping { source, bytes: Rc::clone(bytes) }) as Box<dyn Read>;
+                Lines::from(file, source(file).map(keeping), &columns.wanted())
+            }
+            Self::File(_) | Self::Imported(..) => self.again(columns),
         }
     }
 
-    fn again(&self) -> io::Result<Box<dyn Read>> {
+    fn again(&self, columns: &RunColumns) -> Result<Lines, FileError> {
         match self {
-            Self::File(file) => source(file),
-            Self::Kept(_, bytes) => Ok(Box::new(io::Cursor::new(bytes.borrow().clone()))),
+            Self::File(file) => Lines::open(file, &columns.wanted()),
+            Self::Kept(file, bytes) => {
+                Lines::from(file, Ok(Box::new(io::Cursor::new(bytes.borrow().clone()))), &columns.wanted())
+            }
+            Self::Imported(file, trace) => {
+                let line = |s: &TraceSample| Line { line: s.line, values: vec![s.angle_rad, s.reading_mm] };
+                Ok(Lines::given(file, &IMPORTED, trace.kept().iter().map(line).collect()))
+            }
         }
     }
 }
@@ -99,8 +117,37 @@ impl<'a> Recorded<'a> {
         columns: RunColumns<'a>,
         known: KnownAlong,
     ) -> Result<Self, FileError> {
-        let contents = Contents::of(file);
-        let lines = Lines::from(file, contents.first(), &columns.wanted())?;
+        Self::of(setup, run, Contents::of(file), columns, known)
+    }
+
+    /// A run of an instrument's file.
+    pub(super) fn imported(
+        setup: &'a Setup,
+        run: RunId,
+        (file, about, trace): (&Path, &About, Trace),
+        columns: RunColumns<'a>,
+        known: KnownAlong,
+    ) -> Result<Self, FileError> {
+        let fail = |problem: Wrong| FileError { file: file.to_owned(), problem: problem.of_all().into() };
+        if !columns.others.is_empty() {
+            return Err(fail(Wrong::NoDisplacements));
+        }
+        if let (Some(found_mm), Some(bar_mm)) = (about.bar_mm, columns.bar_mm)
+            && (found_mm - bar_mm).abs() > BAR * bar_mm
+        {
+            return Err(fail(Wrong::OtherBar { found_mm, bar_mm }));
+        }
+        Self::of(setup, run, Contents::Imported(file.to_owned(), Rc::new(trace)), columns, known)
+    }
+
+    fn of(
+        setup: &'a Setup,
+        run: RunId,
+        contents: Contents,
+        columns: RunColumns<'a>,
+        known: KnownAlong,
+    ) -> Result<Self, FileError> {
+        let lines = contents.first(&columns)?;
         let (mut headings, mut outside, mut samples) = (Headings::default(), Vec::new(), 0);
         check(lines, &columns, contents.most(), |sample| {
             headings.add(sample.angle_rad);
@@ -110,8 +157,16 @@ impl<'a> Recorded<'a> {
             samples += 1;
         })?;
         match known.outside(outside) {
-            Some(problem) => Err(FileError { file: file.to_owned(), problem }),
+            Some(problem) => Err(FileError { file: contents.file().to_owned(), problem }),
             None => Ok(Self { setup, run, weight: 1.0, columns, contents, known, headings, samples }),
+        }
+    }
+
+    /// The file and the run in it, where it is an instrument's.
+    pub fn trace(&self) -> Option<(&Path, &Trace)> {
+        match &self.contents {
+            Contents::Imported(file, trace) => Some((file, trace)),
+            Contents::File(_) | Contents::Kept(..) => None,
         }
     }
 
@@ -148,7 +203,7 @@ impl Recording for Recorded<'_> {
         let mut sample =
             Sample { sweep: 0.0, direction: 0.0, reading: 0.0, known: vec![0.0; known], known_std: vec![0.0; known] };
         let mut samples = 0;
-        for line in Lines::from(self.contents.file(), self.contents.again(), &self.columns.wanted())? {
+        for line in self.contents.again(&self.columns)? {
             let Some(read) = RunColumns::sample(&line?) else { continue };
             (sample.sweep, sample.reading) = (read.angle_rad, read.reading_mm);
             sample.direction = heading.at(read.angle_rad);
