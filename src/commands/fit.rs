@@ -84,7 +84,13 @@ impl FitArguments {
         let files = RunFiles::new(&setup, &given)?.under(&setup, self.columns.clone().unwrap_or_default())?;
         let weights = self.weights()?;
         let (limits, instrument) = (self.limits.limits(&setup), self.instrument.instrument(&setup.model)?);
-        let mut recorded = files.open(&setup, self.table.as_deref())?;
+        let mut recorded = files.open(&setup, self.table.as_deref()).map_err(|refused| match refused {
+            // A table of known functions has the names of its model.
+            ObservationsError::File(error) if self.table.as_ref().is_none_or(|table| *table != error.file) => {
+                Refused::Run(error)
+            }
+            other => other.into(),
+        })?;
         for (file, trace) in recorded.iter().filter_map(Recorded::trace) {
             let told: Vec<String> = trace.told().into_iter().map(|(what, words)| format!("{what}: {words}")).collect();
             say(format_args!("note: {}: {}", seen(&file.display().to_string()), told.join("; ")));

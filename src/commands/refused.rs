@@ -20,8 +20,10 @@ pub enum Refused {
     Exechon(#[from] super::exechon::ExechonRefused),
     #[error("{}", observations(.0))]
     Observations(#[from] ObservationsError),
-    #[error("{}", file(.0))]
+    #[error("{}", file(.0, ""))]
     File(#[from] FileError),
+    #[error("{}", file(.0, "trunnion import with "))]
+    Run(FileError),
     #[error(transparent)]
     Native(#[from] NativeError),
     #[error(transparent)]
@@ -101,13 +103,6 @@ impl Refused {
 
 fn observations(error: &ObservationsError) -> String {
     match error {
-        ObservationsError::File(error) => match &error.problem {
-            FileProblem::Import(problem) => match stated_by(problem.what()) {
-                Some(option) => format!("{error} (trunnion import with {option})"),
-                None => error.to_string(),
-            },
-            _ => error.to_string(),
-        },
         ObservationsError::UnknownColumn { .. } => format!("--columns: {error}"),
         ObservationsError::RunMissing(run) => format!("run `{run}` is not given\n  expected --run {run}=FILE.csv"),
         other => other.to_string(),
@@ -123,12 +118,17 @@ fn stated_by(what: &Wrong) -> Option<&'static str> {
     }
 }
 
-fn file(error: &FileError) -> String {
-    let option = match &error.problem {
-        FileProblem::Import(problem) => stated_by(problem.what()),
-        _ => None,
-    };
-    option.map_or_else(|| error.to_string(), |option| format!("{error} ({option})"))
+fn file(error: &FileError, command: &str) -> String {
+    match &error.problem {
+        FileProblem::Header { .. } => {
+            format!("{error}\n  a column may have another name: --columns a=\"Angle [deg]\",dr_um=\"Radius\"")
+        }
+        FileProblem::Import(problem) => {
+            let option = stated_by(problem.what());
+            option.map_or_else(|| error.to_string(), |option| format!("{error} ({command}{option})"))
+        }
+        _ => error.to_string(),
+    }
 }
 
 fn design(error: &DesignError) -> String {

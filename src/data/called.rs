@@ -28,7 +28,9 @@ pub(super) static NATIVE: Columns = Columns(BTreeMap::new());
 #[non_exhaustive]
 pub enum ColumnsError {
     /// No name with the text that stands for it.
-    #[error("{0:?} is not a column with its name in the file\n  expected for example a=\"Angle [deg]\",dr=\"Radius [µm]\"")]
+    #[error(
+        "{0:?} is not a column with its name in the file\n  expected for example a=\"Angle [deg]\",dr=\"Radius [µm]\""
+    )]
     NotAPair(String),
     /// Two texts for one column.
     #[error("column {0} is given twice\n  expected each column once")]
@@ -106,7 +108,8 @@ impl FromStr for Columns {
 /// The text above a column as its name and its unit: `Radius [µm]`, `Radius (µm)`, `Radius / µm`, `Radius in µm`, `radius_um`.
 pub(super) fn with_unit(text: &str) -> Option<(&str, Unit)> {
     let bracketed = |open, close| text.strip_suffix(close).and_then(|text: &str| text.rsplit_once(open));
-    let ways = [bracketed('[', ']'), bracketed('(', ')'), text.rsplit_once('/'), text.rsplit_once('_'), text.rsplit_once(' ')];
+    let ways =
+        [bracketed('[', ']'), bracketed('(', ')'), text.rsplit_once('/'), text.rsplit_once('_'), text.rsplit_once(' ')];
     let known = |(name, unit): (_, &str)| Some((name, by_name(unit.trim())?));
     let (name, unit): (&str, Unit) = ways.into_iter().flatten().find_map(known)?;
     let name = name.trim();

@@ -91,8 +91,7 @@ impl<R: Read> Read for Utf16<R> {
             if taken == 0 && self.bytes.is_empty() {
                 return Ok(0);
             }
-            let mut units: Vec<u16> =
-                self.bytes.as_chunks::<2>().0.iter().map(|pair| self.order.unit(*pair)).collect();
+            let mut units: Vec<u16> = self.bytes.as_chunks::<2>().0.iter().map(|pair| self.order.unit(*pair)).collect();
             // The first half of a letter waits for the second one, but not beyond the end.
             let half = units.last().is_some_and(|unit| (0xd800..0xdc00).contains(unit));
             if half && taken > 0 {
@@ -112,7 +111,17 @@ mod tests {
     #[test]
     fn utf_16_is_read_whatever_its_order_and_length() {
         // Letters of one and of two units, across the borders of blocks.
-        let text: String = (0..3000).map(|i| if i % 7 == 0 { '𝛿' } else if i % 3 == 0 { 'µ' } else { 'a' }).collect();
+        let text: String = (0..3000)
+            .map(|i| {
+                if i % 7 == 0 {
+                    '𝛿'
+                } else if i % 3 == 0 {
+                    'µ'
+                } else {
+                    'a'
+                }
+            })
+            .collect();
         for mark in ["", "\u{feff}"] {
             let whole = format!("{mark}{text}");
             for order in [u16::to_le_bytes, u16::to_be_bytes] {

@@ -23,3 +23,5 @@ pub const INSTRUMENT: usize = 1 << 24;
 pub const NODES: u32 = 20_000;
 /// Bytes of a tag in it.
 pub const TAG: usize = 1 << 12;
+/// Declarations of namespaces in it.
+pub const NAMESPACES: usize = 64;

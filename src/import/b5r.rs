@@ -53,7 +53,8 @@ pub fn b5r(file: &str, stated: &Stated) -> Result<Imported, ImportProblem> {
         return Err(Wrong::ManyReadings.of_all());
     }
     let all = features(&xml, root)?;
-    about.features = all.into_iter().filter(|(node, _)| !elements.iter().any(|run| within(*run, *node))).map(|f| f.1).collect();
+    about.features =
+        all.into_iter().filter(|(node, _)| !elements.iter().any(|run| within(*run, *node))).map(|f| f.1).collect();
     let angles = angles(&xml, root, &about, stated)?;
     let units = units(&runs, &angles, stated)?;
     let traces = runs.into_iter().zip(units).map(|(run, unit)| trace(run, unit, &angles)).collect::<Result<_, _>>()?;
@@ -120,7 +121,11 @@ fn run(xml: &Xml, node: Node, number: usize) -> Result<Run, ImportProblem> {
     let direction = match direction.to_uppercase().as_str() {
         "CCW" => Direction::Ccw,
         "CW" => Direction::Cw,
-        _ => return Err(Wrong::Direction(direction).at(first(node, "RUN_DIRECTION").map_or(line, |node| xml.line(node)))),
+        _ => {
+            return Err(
+                Wrong::Direction(direction).at(first(node, "RUN_DIRECTION").map_or(line, |node| xml.line(node)))
+            );
+        }
     };
     let element = first(node, "READINGS").ok_or_else(|| Wrong::NoReadings(number).at(line))?;
     let line = xml.line(element);
@@ -210,7 +215,11 @@ fn by_circularity(run: &Run, angles: &(Arc, AnglesFrom)) -> Result<Option<(Unit,
 }
 
 /// A run with its angles, in mm, and trimmed.
-fn trace(run: Run, (unit, unit_from): (Unit, UnitFrom), (arc, from): &(Arc, AnglesFrom)) -> Result<Trace, ImportProblem> {
+fn trace(
+    run: Run,
+    (unit, unit_from): (Unit, UnitFrom),
+    (arc, from): &(Arc, AnglesFrom),
+) -> Result<Trace, ImportProblem> {
     let Run { line, direction, readings, features } = run;
     let feed @ [begin, end] = feed_arcs(&readings);
     let count = readings.len() - begin - end;

@@ -5,7 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::plane::Plane;
-use crate::data::limits::{INSTRUMENT, NODES, SAMPLES, TAG};
+use crate::data::limits::{INSTRUMENT, NAMESPACES, NODES, SAMPLES, TAG};
 
 /// Fewest readings of a run: fewer are no circle.
 pub const FEWEST: usize = 12;
@@ -46,6 +46,9 @@ pub enum Wrong {
     /// A tag of more than [`TAG`] bytes.
     #[error("a tag of more than {TAG} bytes\n  expected the file of one test")]
     LongTag,
+    /// More than [`NAMESPACES`] declarations of namespaces.
+    #[error("more than {NAMESPACES} namespaces\n  expected the file of one test")]
+    TooManyNamespaces,
     /// Not XML, or not all of it.
     #[error("{0}\n  expected a whole XML file: copy it again, or save the test again")]
     Xml(String),
@@ -55,7 +58,9 @@ pub enum Wrong {
     )]
     Entity,
     /// The root of some other file.
-    #[error("the file of another program: its first element is <{0}>\n  expected a test of Renishaw Ballbar 20 (.b5r), which begins with <TEST_DOCUMENT>")]
+    #[error(
+        "the file of another program: its first element is <{0}>\n  expected a test of Renishaw Ballbar 20 (.b5r), which begins with <TEST_DOCUMENT>"
+    )]
     Other(String),
     /// No run.
     #[error("no run in this test\n  expected <BALLBAR_RUN> with its readings: save the test once it is measured")]
@@ -103,7 +108,9 @@ pub enum Wrong {
         stated: Plane,
     },
     /// Another bar than the run's.
-    #[error("NOMINAL_LENGTH {found_mm} mm where the run's bar has {bar_mm} mm\n  expected the file of this run, or its radius")]
+    #[error(
+        "NOMINAL_LENGTH {found_mm} mm where the run's bar has {bar_mm} mm\n  expected the file of this run, or its radius"
+    )]
     OtherBar {
         /// The file's, mm.
         found_mm: f64,
@@ -114,13 +121,17 @@ pub enum Wrong {
     #[error("the readings of a bar\n  expected a CSV file with three displacements")]
     NoDisplacements,
     /// A unit that is not known.
-    #[error("AF_CIRCULARITY in {0:?}\n  expected UT_LENGTH_MM or UT_LENGTH_UM; or the unit of the readings stated, mm or um")]
+    #[error(
+        "AF_CIRCULARITY in {0:?}\n  expected UT_LENGTH_MM or UT_LENGTH_UM; or the unit of the readings stated, mm or um"
+    )]
     FeatureUnit(String),
     /// A unit that cannot be found.
     #[error("the unit of the readings is not in the file, and {0}\n  expected it to be stated: mm or um")]
     NoUnit(Inconclusive),
     /// An arc whose ends are not known.
-    #[error("where the readings begin and end is not in the file, and {0}\n  expected the ends of the arc to be stated, in degrees")]
+    #[error(
+        "where the readings begin and end is not in the file, and {0}\n  expected the ends of the arc to be stated, in degrees"
+    )]
     NoEnds(NoArc),
     /// Nothing is left of a run.
     #[error("no sample of this run lies from {from_deg}° to {to_deg}°\n  expected an arc that was measured")]

@@ -104,7 +104,8 @@ mod tests {
         assert_eq!(divided(degrees((0..360).chain(0..360))), Some(vec![(0..720, true)]));
         // Trembling before it sets off, and where it waits.
         let waits = |i: i32| 0.001 * f64::from(i % 2);
-        let along = (0..40).map(waits).chain((0..900).map(|i| 0.01 * f64::from(i) + if i == 500 { 0.012 } else { 0.0 }));
+        let along =
+            (0..40).map(waits).chain((0..900).map(|i| 0.01 * f64::from(i) + if i == 500 { 0.012 } else { 0.0 }));
         assert_eq!(divided(along.collect()), Some(vec![(0..940, true)]));
         assert_eq!(divided(degrees((0..360).map(|i| 5 * (i * 7 % 20)))), None);
         assert_eq!(divided(Vec::new()), None);

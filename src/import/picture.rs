@@ -18,9 +18,8 @@ pub fn trace_picture(title: &str, trace: &Trace) -> Result<String, PlotError> {
     let kept = trace.kept().iter().map(um);
     let (low, high) = kept.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| (low.min(r), high.max(r)));
     let span = (high - low).max(f64::MIN_POSITIVE);
-    let point = |sample: &TraceSample| {
-        (Unit::Deg.from_inner(sample.angle_rad), um(sample).clamp(low - span, high + span))
-    };
+    let point =
+        |sample: &TraceSample| (Unit::Deg.from_inner(sample.angle_rad), um(sample).clamp(low - span, high + span));
     let line = |name: &str, tone, samples: &[TraceSample]| {
         let step = samples.len().div_ceil(POINTS).max(1);
         Series { name: name.to_owned(), tone, mark: Mark::Line(samples.iter().step_by(step).map(point).collect()) }

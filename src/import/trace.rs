@@ -256,7 +256,8 @@ impl fmt::Display for Cut {
             return f.write_str("nothing");
         }
         let Self { feed: [fed_in, fed_out], overshoot: [before, after] } = self;
-        let parts = [(fed_in, "of the feed-in"), (before, "before the arc"), (after, "after it"), (fed_out, "of the feed-out")];
+        let parts =
+            [(fed_in, "of the feed-in"), (before, "before the arc"), (after, "after it"), (fed_out, "of the feed-out")];
         let parts = parts.iter().filter(|(count, _)| **count > 0).map(|(count, what)| format!("{count} {what}"));
         write!(f, "samples: {}", parts.collect::<Vec<_>>().join(", "))
     }

@@ -3,7 +3,7 @@
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::error::{ImportProblem, Wrong};
-use crate::data::limits::{NODES, TAG};
+use crate::data::limits::{NAMESPACES, NODES, TAG};
 
 /// A parsed file.
 pub(super) struct Xml<'a> {
@@ -19,7 +19,10 @@ impl<'a> Xml<'a> {
         if let Some(at) = text.find("<!ENTITY") {
             return Err(Wrong::Entity.at(line(at)));
         }
-        // What the parser takes for a tag grows with the square of its length.
+        // What the parser takes grows with the square of the number of namespaces and of the length of a tag.
+        if text.matches("xmlns").nth(NAMESPACES).is_some() {
+            return Err(Wrong::TooManyNamespaces.of_all());
+        }
         if let Some(at) = long_tag(text) {
             return Err(Wrong::LongTag.at(line(at)));
         }

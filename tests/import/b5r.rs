@@ -27,7 +27,7 @@ pub fn document(name: &str, plane: &str, length: f64, runs: &[Run]) -> String {
          <MACHINE_TESTED NAME=\"Mill\n7\" />\n<RUN_RESULTS>\n"
     );
     for run in runs {
-        let readings: Vec<String> = run.readings.iter().map(|reading| format!("{reading:.7}")).collect();
+        let readings: Vec<String> = run.readings.iter().map(|reading| format!("{reading:.10}")).collect();
         let _ = write!(text, "<BALLBAR_RUN>\n<RUN_DIRECTION> {} </RUN_DIRECTION>\n", run.direction);
         let _ = writeln!(text, "<READINGS>{}</READINGS>", readings.join(" "));
         for (name, unit, value) in &run.features {
@@ -39,13 +39,12 @@ pub fn document(name: &str, plane: &str, length: f64, runs: &[Run]) -> String {
             </FEATURE></ANALYSIS>\n</TEST_DOCUMENT>\n"
 }
 
-/// The native readings of a run, µm, and the width of their residuals about the circle, µm, by brute force.
+/// The readings of a native file, µm.
 fn readings(file: &std::path::Path) -> Vec<f64> {
     samples(file).iter().map(|(_, reading)| number(reading)).collect()
 }
 
-/// A whole number of µm near enough to the width of readings about their circle: half of a span is within a factor of two of it
-/// where a run is mostly centred.
+/// Readings over a turn, µm, and how round they are.
 fn mostly_round() -> (Vec<f64>, f64) {
     let angle = |i: i32| f64::from(i).to_radians();
     // 12 µm off its centre, and oval by 6 µm.
@@ -73,7 +72,8 @@ fn both_units_and_both_directions_are_read() {
         fs::write(at.join("test.b5r"), document("XY 360deg 150mm", "XY", 150.0, &runs)).unwrap();
         let told = object(&good(at, &["import", "test.b5r", "--out", unit, "--angle", "c", "--json"]));
         let file = &told["files"][0];
-        let said = ["test", "instrument", "serial_number", "machine", "operator", "started", "plane"].map(|key| &file[key]);
+        let said =
+            ["test", "instrument", "serial_number", "machine", "operator", "started", "plane"].map(|key| &file[key]);
         let expected = ["XY 360deg 150mm", "Renishaw QC20", "A&B-1", "Mill 7", "Jörg", "20260401-080000", "XY"];
         assert_eq!(said, expected.map(serde_json::Value::from).each_ref());
         assert_eq!((&file["bar_mm"], &file["feed_mm_per_min"]), (&150.0.into(), &1500.0.into()));
@@ -82,8 +82,11 @@ fn both_units_and_both_directions_are_read() {
         assert_eq!([0, 1, 2].map(|run| &runs[run]["unit"]), [unit; 3].map(serde_json::Value::from).each_ref());
         assert!(runs[2]["unit_from"].as_str().unwrap().contains("another run"));
         let own = runs[0]["circularity_mm"].as_f64().unwrap();
-        assert!((own - width / 1e3).abs() < 1e-6, "{own}");
-        for (name, ends) in [("test-ccw-1", ["0.0", "360.0"]), ("test-cw", ["360.0", "0.0"]), ("test-ccw-2", ["0.0", "360.0"])] {
+        // The first place counts twice.
+        assert!((own - width / 1e3).abs() < 2e-5, "{own}");
+        for (name, ends) in
+            [("test-ccw-1", ["0.0", "360.0"]), ("test-cw", ["360.0", "0.0"]), ("test-ccw-2", ["0.0", "360.0"])]
+        {
             let written = samples(&at.join(unit).join(format!("{name}.csv")));
             assert_eq!([&written[0].0, &written[360].0], ends, "{name}");
             let by = |at: usize| (number(&written[at].1) - um[number(&written[at].0) as usize]).abs();
@@ -92,7 +95,12 @@ fn both_units_and_both_directions_are_read() {
     }
     let text = fs::read_to_string(at.join("mm/test-cw.csv")).unwrap();
     assert!(text.contains("\nc_deg,dr_um\n"));
-    for said in ["# from: test.b5r", "# machine: Mill 7", "# run: CW, 360° to 0°, 361 samples", "# unit of the readings: mm, which"] {
+    for said in [
+        "# from: test.b5r",
+        "# machine: Mill 7",
+        "# run: CW, 360° to 0°, 361 samples",
+        "# unit of the readings: mm, which",
+    ] {
         assert!(text.contains(said), "{said} in {text}");
     }
     assert!(text.contains("# sha-256: ") && text.contains("# found: AF_CALCULATED_FEEDRATE 1498.2 UT_FEEDRATE"));
@@ -111,10 +119,12 @@ fn an_arc_with_feed_in_and_overshoot_is_fitted_as_the_native_file() {
         let mut all: Vec<f64> = ramp(first - 1200.0, first, 40).collect();
         all.extend([first; 20].iter().chain(&um).chain(&[last; 20]));
         all.extend(ramp(last + 900.0, last, 30).collect::<Vec<_>>().iter().rev());
-        let runs = [Run { direction: "CCW", readings: all.iter().map(|um| um / 1e3).collect(), features: circularity(5.0) }];
+        let runs =
+            [Run { direction: "CCW", readings: all.iter().map(|um| um / 1e3).collect(), features: circularity(5.0) }];
         fs::write(at.join(format!("{run}.b5r")), document("YZ 220grad 150mm", "YZ", 150.0, &runs)).unwrap();
     }
-    let arguments = ["import", "tilting.b5r", "separation.b5r", "--out", "runs", "--from-deg", "-20", "--to-deg", "199.5"];
+    let arguments =
+        ["import", "tilting.b5r", "separation.b5r", "--out", "runs", "--from-deg", "-20", "--to-deg", "199.5"];
     let more = ["--overshoot-deg", "10", "--unit", "mm", "--plane", "zy", "--json"];
     let told = object(&good(at, &[&arguments[..], &more].concat()));
     for file in [0, 1] {
@@ -138,14 +148,15 @@ fn fit_takes_a_test_directly_where_nothing_has_to_be_stated() {
     };
     for run in ["tilting", "separation"] {
         let um = closed(&format!("{run}.csv"));
-        let back: Vec<f64> = um.iter().rev().copied().collect();
+        // With a hysteresis that is largest in one place.
+        let other_way = |(i, um): (usize, &f64)| um + 0.4 + 0.9 * (i as f64 + 20.0).to_radians().cos();
+        let back: Vec<f64> = um.iter().enumerate().map(other_way).rev().collect();
         let native = |um: &[f64], angle: &dyn Fn(usize) -> usize| {
-            let lines = um.iter().enumerate().map(|(i, r)| format!("{},{:.4}\n", angle(i), r));
+            let lines = um.iter().enumerate().map(|(i, r)| format!("{},{:.7}\n", angle(i), r));
             format!("a_deg,dr_um\n{}", lines.collect::<String>())
         };
         fs::write(at.join(format!("{run}-up.csv")), native(&um, &|i| i)).unwrap();
         fs::write(at.join(format!("{run}-down.csv")), native(&back, &|i| 360 - i)).unwrap();
-        // The readings are dominated by what is no part of any circle: the width is that of the residuals.
         let runs = [&um, &back].map(|r| r.iter().map(|um| um / 1e3).collect::<Vec<f64>>());
         let width = width(&um);
         let [up, down] = runs;
@@ -171,16 +182,19 @@ fn fit_takes_a_test_directly_where_nothing_has_to_be_stated() {
     let output = super::run(at, &[&super::FIT[..], &runs, &super::TABLE].concat());
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(said.contains("note: tilting.b5r: run: CW, 360° to 0°, 361 samples; unit of the readings: mm"), "{said}");
-    super::refused(at, &["fit", super::MODEL, "--radius", "100", runs[0], runs[1], runs[2], runs[3]], &["150 mm", "100 mm"]);
+    super::refused(
+        at,
+        &["fit", super::MODEL, "--radius", "100", runs[0], runs[1], runs[2], runs[3]],
+        &["150 mm", "100 mm"],
+    );
 }
 
 /// The width of readings over a whole turn about their circle, whose coefficients are sums as the angles are even.
 fn width(um: &[f64]) -> f64 {
     let turn = &um[..um.len() - 1];
     let angle = |i: usize| (i as f64 * 360.0 / turn.len() as f64).to_radians();
-    let mean = |f: &dyn Fn(f64) -> f64| {
-        turn.iter().enumerate().map(|(i, r)| r * f(angle(i))).sum::<f64>() / turn.len() as f64
-    };
+    let mean =
+        |f: &dyn Fn(f64) -> f64| turn.iter().enumerate().map(|(i, r)| r * f(angle(i))).sum::<f64>() / turn.len() as f64;
     let (c0, c1, c2) = (mean(&|_| 1.0), 2.0 * mean(&f64::cos), 2.0 * mean(&f64::sin));
     let off: Vec<f64> =
         turn.iter().enumerate().map(|(i, r)| r - c0 - c1 * angle(i).cos() - c2 * angle(i).sin()).collect();

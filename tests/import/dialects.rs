@@ -89,7 +89,8 @@ fn with_feed_arcs() -> (Vec<(f64, f64)>, [usize; 4]) {
     let reading = |a: f64| 8.0 * a.to_radians().cos() + 3.0 * (2.0 * a.to_radians()).sin() + 0.05 * (a * 77.0).sin();
     let there: Vec<f64> = (-40..=440).map(|i| f64::from(i) * 0.5).collect();
     let back: Vec<f64> = there.iter().rev().map(|a| a - 0.1).collect();
-    let mut all: Vec<(f64, f64)> = (0..30).map(|i| (-20.0, reading(-20.0) - 1000.0 * (1.0 - f64::from(i) / 30.0))).collect();
+    let mut all: Vec<(f64, f64)> =
+        (0..30).map(|i| (-20.0, reading(-20.0) - 1000.0 * (1.0 - f64::from(i) / 30.0))).collect();
     all.extend(there.iter().chain(&back).map(|a| (*a, reading(*a))));
     all.extend((1..=20).map(|i| (-20.1, reading(-20.1) + 900.0 * f64::from(i) / 20.0)));
     (all, [30, there.len(), back.len(), 20])

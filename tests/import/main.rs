@@ -32,7 +32,7 @@ fn refused(directory: &Path, arguments: &[&str], told: &[&str]) {
     let output = run(directory, arguments);
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
-    assert!(output.stdout.is_empty() && said.starts_with("error: ") && said.len() < 2000, "{arguments:?}: {said}");
+    assert!(output.stdout.is_empty() && said.contains("error: ") && said.len() < 2000, "{arguments:?}: {said}");
     told.iter().for_each(|told| assert!(said.contains(told), "{arguments:?}: {said} without {told}"));
     assert_eq!(fs::read_dir(directory).unwrap().count(), before, "{arguments:?}: something is left behind");
 }
@@ -70,7 +70,7 @@ fn fitted(directory: &Path, [tilting, separation]: [&str; 2], more: &[&str]) -> 
     object(&good(directory, &[&FIT[..], &runs, &TABLE, more].concat()))
 }
 
-/// Holds every number of two fits to agree to this share of itself.
+/// Holds every number of two fits to agree to this share of itself; what is zero but for rounding agrees.
 fn alike(one: &Value, other: &Value, share: f64) {
     match (one, other) {
         (Value::Object(a), Value::Object(b)) => {
@@ -83,7 +83,7 @@ fn alike(one: &Value, other: &Value, share: f64) {
         }
         (Value::Number(a), Value::Number(b)) => {
             let (a, b) = (a.as_f64().unwrap(), b.as_f64().unwrap());
-            assert!((a - b).abs() <= share * a.abs().max(b.abs()), "{a} {b}");
+            assert!((a - b).abs() <= (share * a.abs().max(b.abs())).max(1e-13), "{a} {b}");
         }
         (a, b) => assert_eq!(a, b),
     }
