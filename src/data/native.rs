@@ -94,6 +94,7 @@ fn contents(path: &Path, file: &ImportedFile, trace: &Trace, angle: &str) -> Res
         let _ = writeln!(text, "# found: {} {} {}", feature.name, feature.value, feature.unit);
     }
     let samples = trace.kept().iter().map(|sample| (sample.angle_rad, sample.reading_mm));
-    let table = Sweep::new(path, samples).contents(angle, Unit::Deg, Unit::Um)?;
+    // In the file's own unit each number keeps its digits.
+    let table = Sweep::new(path, samples).contents(angle, Unit::Deg, trace.unit)?;
     Ok(sealed(&[text.into_bytes(), table].concat()))
 }

@@ -259,6 +259,6 @@ impl fmt::Display for Cut {
         let parts =
             [(fed_in, "of the feed-in"), (before, "before the arc"), (after, "after it"), (fed_out, "of the feed-out")];
         let parts = parts.iter().filter(|(count, _)| **count > 0).map(|(count, what)| format!("{count} {what}"));
-        write!(f, "samples: {}", parts.collect::<Vec<_>>().join(", "))
+        write!(f, "{} (samples)", parts.collect::<Vec<_>>().join(", "))
     }
 }

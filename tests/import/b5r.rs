@@ -89,12 +89,13 @@ fn both_units_and_both_directions_are_read() {
         {
             let written = samples(&at.join(unit).join(format!("{name}.csv")));
             assert_eq!([&written[0].0, &written[360].0], ends, "{name}");
-            let by = |at: usize| (number(&written[at].1) - um[number(&written[at].0) as usize]).abs();
-            assert!((0..361).all(|at| by(at) < 1e-3), "{name}");
+            // As many digits as the file has, in its own unit.
+            let text = |at: usize| number(&format!("{:.10}", um[number(&written[at].0) as usize] * factor));
+            assert!((0..361).all(|at| number(&written[at].1) == text(at)), "{name}");
         }
     }
     let text = fs::read_to_string(at.join("mm/test-cw.csv")).unwrap();
-    assert!(text.contains("\nc_deg,dr_um\n"));
+    assert!(text.contains("\nc_deg,dr_mm\n"));
     for said in [
         "# from: test.b5r",
         "# machine: Mill 7",
