@@ -27,6 +27,7 @@
 //! | to | see |
 //! |---|---|
 //! | read and write measurement files | [`data`] |
+//! | read the files of instruments | [`import`] |
 //! | fit, report, simulate, study | [`study`] |
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
 //! | begin a measurement: project file and measuring plan | [`project`] |
@@ -40,6 +41,7 @@
 pub mod data;
 pub mod exechon;
 pub mod history;
+pub mod import;
 pub mod plot;
 pub mod program;
 pub mod project;

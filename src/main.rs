@@ -37,6 +37,8 @@ enum Command {
     Derive(commands::derive::DeriveArguments),
     /// Measurement files of a drawn machine, from exact lengths.
     Simulate(commands::simulate::SimulateArguments),
+    /// Files of instruments and of other programs, made files for `fit`.
+    Import(commands::import::ImportArguments),
     /// Errors and their uncertainty from measurement files.
     Fit(commands::fit::FitArguments),
     /// What has changed between reports, beyond their uncertainty.
@@ -72,6 +74,7 @@ fn main() -> ExitCode {
         Command::New(c) => c.run(),
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
+        Command::Import(c) => c.run(),
         Command::Fit(c) => c.run(),
         Command::Compare(c) => c.run(),
         Command::Plan(c) => c.run(),

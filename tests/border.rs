@@ -132,22 +132,29 @@ fn encodings_are_read_or_named() {
     let machine = include_str!("../src/exechon/xt700.toml");
     let model = trunnion_codegen::catalogue::source("tilting-table-a").unwrap();
     let utf16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>();
-    let commands: [(&str, &[&str]); 3] = [
-        (TOUCHES, &["exechon", "offset", "f"]),
-        (machine, &["exechon", "offset", "t.csv", "--machine", "f"]),
-        (model, &["derive", "f"]),
-    ];
-    fs::write(at.join("t.csv"), TOUCHES).unwrap();
-    for (text, arguments) in commands {
-        fs::write(at.join("f"), format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
+    let good = |arguments: &[&str]| {
         let output = run(at, arguments);
         assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    };
+    fs::write(at.join("t.csv"), TOUCHES).unwrap();
+    // What a person writes for this program is UTF-8.
+    let commands: [(&str, &[&str]); 2] =
+        [(machine, &["exechon", "offset", "t.csv", "--machine", "f"]), (model, &["derive", "f"])];
+    for (text, arguments) in commands {
+        fs::write(at.join("f"), format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
+        good(arguments);
         fs::write(at.join("f"), utf16(&format!("\u{feff}{text}"))).unwrap();
         refused(at, arguments, &["f:", "UTF-16"]);
         fs::write(at.join("f"), utf16(text)).unwrap();
         refused(at, arguments, &["f:", "UTF-16"]);
         fs::write(at.join("f"), [b"# \n# \xb5m, \xe9tabli\n", text.as_bytes()].concat()).unwrap();
         refused(at, arguments, &["f:", "2:", "Latin-1"]);
+    }
+    // What an instrument or a spreadsheet writes is what it is.
+    let latin = [b"# \n# \xb5m, \xe9tabli\n", TOUCHES.as_bytes()].concat();
+    for bytes in [format!("\u{feff}{TOUCHES}").into(), utf16(TOUCHES), utf16(&format!("\u{feff}{TOUCHES}")), latin] {
+        fs::write(at.join("f"), bytes).unwrap();
+        good(&["exechon", "offset", "f"]);
     }
 }
 

@@ -90,6 +90,8 @@ fn what_spreadsheets_add_is_tolerated() {
     let values = |sweep: &Sweep| sweep.samples().iter().map(|s| (s.angle_rad, s.reading_mm)).collect::<Vec<_>>();
     assert_eq!(values(&plain), values(&dressed));
     assert_eq!(dressed.samples().iter().map(|sample| sample.line).collect::<Vec<_>>(), [4, 7]);
+    let german = read("Messung 7\n\nZeit;a_deg;dr_um;\n12:00;0;1,0;\n12:01;1e1;2,;\n").unwrap();
+    assert_eq!(values(&plain), values(&german));
     let swapped = read("dr_mm,a_rad\n0.001,0.5\n0.002,0.25\n").unwrap();
     assert_eq!(values(&swapped), [(0.5, 0.001), (0.25, 0.002)]);
 }
@@ -234,13 +236,17 @@ fn bad_runs() {
     let files: Vec<(&str, Vec<u8>)> = vec![
         ("empty", b"".into()),
         ("comments only", b"# nothing\n\n# here\n".into()),
-        ("not UTF-8", b"a_deg,dr_um\n0,1\n10,2\xb5\n".into()),
+        ("Latin-1", b"a_deg,dr_um\n0,1\n10,2\xb5\n".into()),
         ("UTF-16", b"\xff\xfea\0_\0d\0e\0g\0".into()),
+        ("zeros", b"a_deg,dr_um\n0,1\n\0\n".into()),
+        ("XML", b"<?xml version='1.0'?>\n<a/>\n".into()),
         ("no header", b"0,1\n10,2\n".into()),
-        ("semicolons", b"# exported\na_deg;dr_um\n0;1,5\n10;2,5\n".into()),
-        ("tabs", b"a_deg\tdr_um\n0\t1\n".into()),
+        ("semicolons", b"# exported\na_deg;dr\n0;1,5\n10;2,5\n".into()),
+        ("tabs", b"a_deg\tdr_um\n0\t1\n10\n".into()),
+        ("one sign or the other", b"a_deg,dr_um|x\n0,1|y\n".into()),
+        ("texts above the numbers", b"test;7\n\nangle;dr_um\n0;1,5\n10;2,5\n".into()),
         ("missing column", b"a_deg\n0\n10\n".into()),
-        ("unknown column", with("a_deg,dr_um,temperature_degc")),
+        ("unknown column", with("a_deg,temperature_degc")),
         ("wrong case", with("A_deg,dr_um")),
         ("angle without unit", with("a,dr_um")),
         ("reading without unit", with("a_deg,dr")),
@@ -250,7 +256,7 @@ fn bad_runs() {
         ("several things in the header", with("A_deg,dr,x")),
         ("not finite", b"a_deg,dr_um\n0,NaN\n10,inf\n20,1e999\n".into()),
         ("text in a number", b"a_deg,dr_um\n0,1\n10,1.2.3\n20,12 um\n30,\n".into()),
-        ("decimal comma in quotes", b"a_deg,dr_um\n0,\"1,5\"\n".into()),
+        ("two decimal signs", b"a_deg,dr_um\n0,\"1,5\"\n10,2.5\n20,\"1.000,5\"\n".into()),
         ("decimal commas", b"a_deg,dr_um\n0,0,1,5\n10,0,2,5\n".into()),
         ("wrong number of fields", b"a_deg,dr_um\n0\n10,2,3\n".into()),
         ("many bad lines", format!("a_deg,dr_um\n{}", lines(12, |i| format!("{i},x\n"))).into()),

@@ -126,10 +126,34 @@ fn what_has_no_end_is_refused() {
             &format!("fit tilting-table-a --run tilting=- {other}"),
             "and 995 more",
         ),
+        ("", "import /dev/zero --out x", "a line of more than 65536 bytes"),
+        ("(echo '<a>'; yes) |", "import - --out x", "more than 16777216 bytes"),
+        ("(printf '\\377\\376'; yes) |", "import - --out x", "a line of more than 65536 bytes"),
+        ("(echo 'a_deg;dr_um'; yes '1;2,5') |", "import - --out x", "more than 300000 samples"),
         (&format!("(echo {touches}; yes 17,200,-168,0) |"), "exechon ring -", "more than 1000 touches"),
         (&format!("(echo {poses}; yes x) |"), "exechon ik -", "more than 20000000 lines"),
     ] {
         refused(at, before, arguments, told);
+    }
+}
+
+#[test]
+fn a_test_of_an_instrument_has_a_size() {
+    let directory = tempfile::tempdir().unwrap();
+    let nested = numbered(19_000, |i| format!("<a xmlns:n{i}='{i}'>")) + &"</a>".repeat(19_000);
+    let attributes = format!("<a{}/>", numbered(300_000, |i| format!(" a{i}='>'")));
+    let runs = "<BALLBAR_RUN><RUN_DIRECTION>CW</RUN_DIRECTION>".repeat(6000);
+    let files = [
+        ("namespaces", nested, "more than 64 namespaces"),
+        ("attributes", attributes, "a tag of more than 4096 bytes"),
+        ("elements", format!("<a>{}</a>", "<b/>".repeat(30_000)), "more than 20000 elements"),
+        ("runs", format!("<TEST_DOCUMENT>{runs}{}</TEST_DOCUMENT>", "</BALLBAR_RUN>".repeat(6000)), "no READINGS"),
+        ("letters", format!("<TEST_DOCUMENT>{}", "&#48; ".repeat(2_500_000)), "expected a whole XML file"),
+        ("name", format!("<{}/>", "x".repeat(4000)), "its first element is <xxx"),
+    ];
+    for (name, text, told) in files {
+        fs::write(directory.path().join(name), text).unwrap();
+        refused(directory.path(), "", &format!("import {name} --out x"), told);
     }
 }
 

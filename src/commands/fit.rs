@@ -4,10 +4,10 @@ use super::model::ModelArguments;
 use super::output::{print, say};
 use super::pair::pair;
 use super::stated::{InstrumentArguments, LimitArguments};
-use super::{Refused, document};
+use super::{Refused, document, seen};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
-use trunnion::data::{ObservationsError, Project, RunFiles};
+use trunnion::data::{Columns, ObservationsError, Project, Recorded, RunFiles};
 use trunnion::study::plan::subset;
 use trunnion::study::{Estimator, Failed, How, SetupError, fit_recorded, report_on, weigh};
 use trunnion_codegen::ids::RunId;
@@ -21,9 +21,14 @@ pub struct FitArguments {
     /// Measurements of a run; once for each run that was made, and again for each time that it was made or direction that it was
     /// made in; without it those of the project.
     ///
+    /// A table (CSV), or an instrument's file that needs nothing stated (.b5r; else `trunnion import` it).
     /// Three displacements may be in one file with the columns dx, dy, dz: `low=FILE` for the runs low-x, low-y, low-z.
     #[arg(long = "run", value_name = "NAME=FILE")]
     runs: Vec<String>,
+    /// What columns of these files are called where they have other names: a="Angle [deg]",dr="Radius [µm]"; or, with the unit
+    /// stated, dr_um="Radius".
+    #[arg(long, value_name = "NAME=TEXT,…")]
+    columns: Option<Columns>,
     /// The known functions over the swept angle; without it the project's, else they are taken as zero.
     #[arg(long, value_name = "FILE")]
     table: Option<PathBuf>,
@@ -79,12 +84,21 @@ impl FitArguments {
         let project = source.project.as_ref().filter(|_| self.runs.is_empty());
         let given = self.files(project)?;
         let setup = self.model.setup(&source, |model| made(model, &given))?;
-        let files = RunFiles::new(&setup, &given)?;
+        let columns = self.columns.clone().or(project.map(|project| project.columns.clone())).unwrap_or_default();
+        let files = RunFiles::new(&setup, &given)?.under(&setup, columns)?;
         let weights = self.weights(&setup.model, project)?;
         let (limits, instrument) = (self.limits.limits(&setup), self.instrument.instrument(&setup.model)?);
         let project = source.project.as_ref();
         let table = self.table.as_deref().or(project.and_then(|project| project.table.as_deref()));
-        let mut recorded = files.open(&setup, table)?;
+        let mut recorded = files.open(&setup, table).map_err(|refused| match refused {
+            // A table of known functions has the names of its model.
+            ObservationsError::File(error) if table.is_none_or(|table| *table != error.file) => Refused::Run(error),
+            other => other.into(),
+        })?;
+        for (file, trace) in recorded.iter().filter_map(Recorded::trace) {
+            let told: Vec<String> = trace.told().into_iter().map(|(what, words)| format!("{what}: {words}")).collect();
+            say(format_args!("note: {}: {}", seen(&file.display().to_string()), told.join("; ")));
+        }
         weigh(&setup, &mut recorded, &weights).map_err(|e| Refused::weight(&e, &self.weights))?;
         let file = |run: &str| {
             let files = |run| files.files(run).map(|file| file.display().to_string()).collect::<Vec<_>>();

@@ -5,6 +5,7 @@ pub mod demo;
 pub mod derive;
 pub mod exechon;
 pub mod fit;
+pub mod import;
 pub mod models;
 pub mod monte_carlo;
 pub mod new;

@@ -46,6 +46,7 @@ pub fn source(name: Option<&str>) -> Result<Source, Refused> {
         return Ok(plain(name.to_owned(), text.to_owned()));
     }
     let path = match Path::new(name) {
+        folder if folder.is_dir() && !folder.join(PROJECT).exists() => return Err(Refused::NoProject(name.to_owned())),
         folder if folder.is_dir() => folder.join(PROJECT),
         file => file.to_owned(),
     };

@@ -6,8 +6,11 @@ use super::seen::seen;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
-use trunnion::data::{ObservationsError, ProjectError, RadiusError, TextError, WriteError};
+use trunnion::data::{
+    FileError, FileProblem, NativeError, ObservationsError, ProjectError, RadiusError, TextError, WriteError,
+};
 use trunnion::history::HistoryError;
+use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
@@ -20,6 +23,12 @@ pub enum Refused {
     Exechon(#[from] super::exechon::ExechonRefused),
     #[error("{}", observations(.0))]
     Observations(#[from] ObservationsError),
+    #[error("{}", file(.0, ""))]
+    File(#[from] FileError),
+    #[error("{}", file(.0, "trunnion import with "))]
+    Run(FileError),
+    #[error(transparent)]
+    Native(#[from] NativeError),
     #[error(transparent)]
     Radius(#[from] RadiusError),
     #[error(transparent)]
@@ -42,6 +51,8 @@ pub enum Refused {
         "no MODEL, and no trunnion.toml in this folder\n  expected a name from `trunnion models`, a model file, or a project"
     )]
     NoModel,
+    #[error("{0}: a folder without trunnion.toml\n  expected a model file, or a folder that `trunnion new` has made")]
+    NoProject(String),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Project(PathBuf, ProjectError),
     #[error("{0} is a project already\n  expected a name from `trunnion models`, or a model file")]
@@ -113,8 +124,31 @@ impl Refused {
 
 fn observations(error: &ObservationsError) -> String {
     match error {
+        ObservationsError::UnknownColumn { .. } => format!("--columns: {error}"),
         ObservationsError::RunMissing(run) => format!("run `{run}` is not given\n  expected --run {run}=FILE.csv"),
         other => other.to_string(),
+    }
+}
+
+/// The options that state what an instrument's file does not say.
+fn stated_by(what: &Wrong) -> Option<&'static str> {
+    match what {
+        Wrong::NoUnit(_) | Wrong::FeatureUnit(_) => Some("--unit mm or --unit um"),
+        Wrong::NoEnds(_) => Some("--from-deg and --to-deg"),
+        _ => None,
+    }
+}
+
+fn file(error: &FileError, command: &str) -> String {
+    match &error.problem {
+        FileProblem::Header { .. } => {
+            format!("{error}\n  a column may have another name: --columns a=\"Angle [deg]\",dr_um=\"Radius\"")
+        }
+        FileProblem::Import(problem) => {
+            let option = stated_by(problem.what());
+            option.map_or_else(|| error.to_string(), |option| format!("{error} ({command}{option})"))
+        }
+        _ => error.to_string(),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The header: which column is what, in which unit.
 
+use super::called::{Called, Columns, with_unit};
 use super::error::HeaderProblem;
 use trunnion_codegen::quantity::{Quantity, Unit};
 
@@ -23,18 +24,39 @@ pub(crate) struct Wanted<'a> {
     pub units: &'static [Unit],
     /// What its values are where the file does not have it; none if it has to be there.
     pub absent: Option<f64>,
+    /// Its name in the file, where that is another one.
+    pub called: Option<Called<'a>>,
 }
 
 impl<'a> Wanted<'a> {
     /// A column that has to be there.
     pub const fn new(name: &'a str, units: &'static [Unit]) -> Self {
-        Self { name, units, absent: None }
+        Self { name, units, absent: None, called: None }
+    }
+
+    /// The same with the name that it has in files with such columns.
+    pub fn in_files(self, columns: &'a Columns) -> Self {
+        Self { called: columns.called(self.name), ..self }
+    }
+
+    /// Whether it is the column under this text.
+    pub fn is(&self, field: &str) -> bool {
+        matches!(compare(field, self), Some(Match::Fits(_)))
+    }
+
+    /// Its name in the header, without the unit where there is a choice.
+    fn missing(&self) -> (String, &'static [Unit]) {
+        match self.called {
+            Some(called) => (called.text.to_owned(), &[]),
+            None => (self.name.to_owned(), self.units),
+        }
     }
 
     /// As a message lists it: `a_deg or a_rad`.
     fn listed(&self) -> String {
-        let names: Vec<String> = self.units.iter().map(|unit| format!("{}_{unit}", self.name)).collect();
-        let names = if names.is_empty() { self.name.to_owned() } else { names.join(" or ") };
+        let (name, units) = self.missing();
+        let names: Vec<String> = units.iter().map(|unit| format!("{name}_{unit}")).collect();
+        let names = if names.is_empty() { name } else { names.join(" or ") };
         if self.absent.is_some() { format!("perhaps {names}") } else { names }
     }
 }
@@ -60,6 +82,14 @@ pub(crate) enum Column {
 }
 
 impl Column {
+    /// Its unit in the file, if it is there and has one.
+    pub fn unit(&self) -> Option<Unit> {
+        match self {
+            Self::Present { unit, .. } => *unit,
+            Self::Absent(_) => None,
+        }
+    }
+
     /// Its name in the header.
     pub fn name(&self) -> &str {
         match self {
@@ -77,15 +107,20 @@ enum Match {
 }
 
 fn compare(field: &str, wanted: &Wanted) -> Option<Match> {
-    match (field.strip_prefix(wanted.name)?, wanted.units) {
+    let Wanted { name, units, called, .. } = *wanted;
+    let fitting = |unit: Unit| if units.contains(&unit) { Match::Fits(Some(unit)) } else { Match::WrongUnit };
+    if let Some(called) = called {
+        let unit = called.unit.or_else(|| with_unit(field).map(|(_, unit)| unit));
+        return (field == called.text).then(|| unit.map_or(Match::NoUnit, fitting));
+    }
+    match (field.strip_prefix(name)?, units) {
         ("", []) => Some(Match::Fits(None)),
         ("", _) => Some(Match::NoUnit),
         (_, []) => None,
-        (rest, units) => {
-            let suffix = rest.strip_prefix('_')?;
-            let unit = units.iter().find(|unit| unit.suffix() == suffix);
-            Some(unit.map_or(Match::WrongUnit, |unit| Match::Fits(Some(*unit))))
-        }
+        (rest, _) => match with_unit(field) {
+            Some((own, unit)) if own == name => Some(fitting(unit)),
+            _ => rest.starts_with(['_', ' ', '[', '(', '/']).then_some(Match::WrongUnit),
+        },
     }
 }
 
@@ -94,40 +129,49 @@ pub(crate) fn resolve(header: &[String], wanted: &[Wanted]) -> Result<Vec<Column
     if header.iter().all(|field| field.parse::<f64>().is_ok()) {
         return Err(vec![HeaderProblem::Absent { columns: listed(wanted) }]);
     }
-    let mut problems = Vec::new();
     let mut found: Vec<Option<Column>> = vec![None; wanted.len()];
     let mut misnamed = vec![false; wanted.len()];
+    // Problems of columns that may be others, beside those wanted.
+    let (mut problems, mut others) = (Vec::new(), Vec::new());
     for (at, field) in header.iter().enumerate() {
         // `a` is also the beginning of `a_x_um`: the column whose unit fits comes first.
         let candidates = || wanted.iter().enumerate().filter_map(|(i, w)| compare(field, w).map(|m| (i, w, m)));
         let best = candidates().find(|(.., m)| matches!(m, Match::Fits(_))).or_else(|| candidates().next());
-        let Some((i, Wanted { name, units, .. }, matched)) = best else {
-            problems.push(HeaderProblem::Unknown { name: field.clone(), columns: listed(wanted) });
+        let Some((i, Wanted { name, units, called, .. }, matched)) = best else {
+            others.push(HeaderProblem::Unknown { name: field.clone(), columns: listed(wanted) });
             continue;
         };
         let (Some(slot), Some(misnamed)) = (found.get_mut(i), misnamed.get_mut(i)) else {
             continue;
         };
+        let (column, name) = (field.clone(), (*name).to_owned());
         match (matched, &slot) {
             (Match::Fits(_), Some(first)) => {
-                problems.push(HeaderProblem::Twice { first: first.name().to_owned(), second: field.clone() });
+                problems.push(HeaderProblem::Twice { first: first.name().to_owned(), second: column });
             }
-            (Match::Fits(unit), None) => *slot = Some(Column::Present { name: field.clone(), unit, at }),
+            (Match::Fits(unit), None) => *slot = Some(Column::Present { name: column, unit, at }),
             (Match::NoUnit, _) => {
                 *misnamed = true;
-                problems.push(HeaderProblem::NoUnit { name: field.clone(), units });
+                others.push(match called {
+                    Some(_) => HeaderProblem::UnknownUnit { column, name, units },
+                    None => HeaderProblem::NoUnit { name: column, units },
+                });
             }
             (Match::WrongUnit, _) => {
                 *misnamed = true;
-                problems.push(HeaderProblem::WrongUnit { column: field.clone(), name: (*name).to_owned(), units });
+                others.push(HeaderProblem::WrongUnit { column, name, units });
             }
         }
+    }
+    // A file may have more columns; but where one is missing, another may be it.
+    if found.iter().any(Option::is_none) {
+        problems.append(&mut others);
     }
     for ((w, slot), misnamed) in wanted.iter().zip(&mut found).zip(misnamed) {
         match (&slot, w.absent) {
             (None, Some(value)) => *slot = Some(Column::Absent(value)),
             (None, None) if !misnamed => {
-                let (name, units) = (w.name.to_owned(), w.units);
+                let (name, units) = w.missing();
                 problems.push(HeaderProblem::Missing { name, units, found: header.to_vec() });
             }
             _ => {}

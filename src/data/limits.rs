@@ -14,3 +14,13 @@ pub const TOUCHES: usize = 1_000;
 pub const RESULT: u64 = 1 << 26;
 /// Bytes of a text that is read as a whole: a model file, a machine file.
 pub const TEXT: usize = trunnion_codegen::limits::FILE;
+/// Lines that say something before the header of a table.
+pub const PREAMBLE: usize = 200;
+/// Bytes of an instrument's own file, which is read as a whole.
+pub const INSTRUMENT: usize = 1 << 24;
+/// Elements, texts and comments of an instrument's own file in XML.
+pub const NODES: u32 = 20_000;
+/// Bytes of a tag in it.
+pub const TAG: usize = 1 << 12;
+/// Declarations of namespaces in it.
+pub const NAMESPACES: usize = 64;

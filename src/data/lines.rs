@@ -2,12 +2,18 @@
 
 use std::f64::consts::TAU;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
+use std::vec::IntoIter;
 
 use super::columns::{Column, Wanted, listed, resolve};
-use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need, Separator};
+use super::decoded::decoded;
+use super::dialect::Dialect;
+use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need};
+use super::limits::LINE;
+use super::numeral::{Numerals, shown};
 use super::records::{Record, Records};
+use super::separator::Separator;
 use trunnion_codegen::quantity::Unit;
 
 /// Lines before the last one that must agree in their number of decimals before a shorter last one counts as cut.
@@ -25,12 +31,27 @@ pub(crate) struct Line {
     pub values: Vec<f64>,
 }
 
-/// The wanted columns of a file, read in constant memory.
+/// The wanted columns of a file.
 pub(crate) struct Lines {
     file: PathBuf,
-    records: Records,
-    header: Vec<String>,
     columns: Vec<Column>,
+    source: Source,
+}
+
+/// Where lines come from.
+enum Source {
+    /// A text, read in constant memory.
+    Text(Box<Text>),
+    /// What was read otherwise.
+    Given(IntoIter<Line>),
+}
+
+/// A text with a header.
+struct Text {
+    records: Records,
+    separator: Separator,
+    header: Vec<String>,
+    numerals: Numerals,
     decimals: Decimals,
 }
 
@@ -42,12 +63,18 @@ impl Lines {
 
     /// As [`Lines::open`], of what was opened already.
     pub fn from(file: &Path, source: io::Result<Box<dyn Read>>, wanted: &[Wanted]) -> Result<Self, FileError> {
-        let opened = source.map_err(FileProblem::from).and_then(|source| {
-            let mut records = Records::new(source);
-            let (header, columns) = header(&mut records, wanted)?;
-            Ok(Self { file: file.to_owned(), records, header, columns, decimals: Decimals::default() })
-        });
-        opened.map_err(|problem| FileError { file: file.to_owned(), problem: unreadable(problem, wanted) })
+        let opened = source.map_err(FileProblem::from).and_then(|source| Text::read(source, wanted));
+        match opened {
+            Ok((text, columns)) => Ok(Self { file: file.to_owned(), columns, source: Source::Text(Box::new(text)) }),
+            Err(problem) => Err(FileError { file: file.to_owned(), problem: unreadable(problem, wanted) }),
+        }
+    }
+
+    /// Lines that were read otherwise, under columns of these names.
+    pub fn given(file: &Path, names: &[&str], lines: Vec<Line>) -> Self {
+        let column = |(at, name): (usize, &&str)| Column::Present { name: (*name).to_owned(), unit: None, at };
+        let columns = names.iter().enumerate().map(column).collect();
+        Self { file: file.to_owned(), columns, source: Source::Given(lines.into_iter()) }
     }
 
     /// The column that gives each wanted one.
@@ -85,15 +112,51 @@ impl Lines {
 
     /// The next line, or what is wrong with it; none at the end.
     fn next_line(&mut self) -> Result<Option<Result<Line, LineProblem>>, FileError> {
-        let fail = |problem| FileError { file: self.file.clone(), problem };
-        let Some(record) = self.records.next().map_err(fail)? else { return Ok(None) };
+        match &mut self.source {
+            Source::Text(text) => {
+                text.next_line(&self.columns).map_err(|problem| FileError { file: self.file.clone(), problem })
+            }
+            Source::Given(lines) => Ok(lines.next().map(Ok)),
+        }
+    }
+}
+
+impl Text {
+    /// A text up to its header, and the columns in it.
+    fn read(source: Box<dyn Read>, wanted: &[Wanted]) -> Result<(Self, Vec<Column>), FileProblem> {
+        let mut source = decoded(source)?;
+        let mut head = Vec::new();
+        source.by_ref().take(LINE as u64).read_to_end(&mut head)?;
+        if is_xml(&head) {
+            return Err(FileProblem::Xml { columns: listed(wanted) });
+        }
+        let dialect = Dialect::of(&head, wanted)?;
+        let mut records = Records::new(Box::new(Cursor::new(head).chain(source)), dialect.separator);
+        records.go_to(dialect.header)?;
+        let Some(Record { line, fields, .. }) = records.next()? else {
+            return Err(FileProblem::Empty { columns: listed(wanted) });
+        };
+        let header: Vec<String> = fields.into_iter().map(str::to_owned).collect();
+        let columns = resolve(&header, wanted).map_err(|problems| FileProblem::Header { line, problems })?;
+        let (numerals, decimals) = (Numerals::default(), Decimals::default());
+        Ok((Self { records, separator: dialect.separator, header, numerals, decimals }, columns))
+    }
+
+    fn next_line(&mut self, columns: &[Column]) -> Result<Option<Result<Line, LineProblem>>, FileProblem> {
+        let Some(record) = self.records.next()? else { return Ok(None) };
         let line = record.line;
         let values = match self.decimals.cut_short(&record, &self.header) {
             Some(problem) => Err(problem),
-            None => numbers(&self.columns, &record.fields, self.header.len()),
+            None => numbers(columns, &mut self.numerals, &record.fields, (self.header.len(), self.separator)),
         };
         Ok(Some(values.map(|values| Line { line, values }).map_err(|problem| LineProblem { line, problem })))
     }
+}
+
+/// Whether a text begins as XML does.
+pub(super) fn is_xml(head: &[u8]) -> bool {
+    let text = head.strip_prefix("\u{feff}".as_bytes()).unwrap_or(head);
+    text.trim_ascii_start().starts_with(b"<")
 }
 
 impl Iterator for Lines {
@@ -131,34 +194,26 @@ fn unreadable(problem: FileProblem, wanted: &[Wanted]) -> FileProblem {
     }
 }
 
-fn header(records: &mut Records, wanted: &[Wanted]) -> Result<(Vec<String>, Vec<Column>), FileProblem> {
-    let Some(Record { line, fields, .. }) = records.next()? else {
-        return Err(FileProblem::Empty { columns: listed(wanted) });
-    };
-    if let [only] = fields.as_slice() {
-        let other = [(';', Separator::Semicolon), ('\t', Separator::Tab)];
-        if let Some((_, separator)) = other.into_iter().find(|(sign, _)| only.contains(*sign)) {
-            return Err(FileProblem::Separator { line, separator });
-        }
-    }
-    let header: Vec<String> = fields.into_iter().map(str::to_owned).collect();
-    let columns = resolve(&header, wanted).map_err(|problems| FileProblem::Header { line, problems })?;
-    Ok((header, columns))
-}
-
-fn numbers(columns: &[Column], fields: &[&str], expected: usize) -> Result<Vec<f64>, FieldProblem> {
+fn numbers(
+    columns: &[Column],
+    numerals: &mut Numerals,
+    fields: &[&str],
+    (expected, separator): (usize, Separator),
+) -> Result<Vec<f64>, FieldProblem> {
+    // Some end each line with the sign that stands between fields.
+    let fields = fields.strip_suffix(&[""]).filter(|fields| fields.len() == expected).unwrap_or(fields);
     let found = fields.len();
-    if found == 2 * expected {
+    if found == 2 * expected && separator == Separator::Comma {
         return Err(FieldProblem::DecimalCommas { found, expected });
     }
     if found != expected {
-        return Err(FieldProblem::Count { found, expected });
+        return Err(FieldProblem::Count { found, expected, separator });
     }
     let value = |column: &Column| match column {
         Column::Absent(value) => Ok(*value),
         Column::Present { name, unit, at } => {
             let text = fields.get(*at).copied().unwrap_or_default();
-            let value = number(name, text)?;
+            let value = numerals.number(name, text)?;
             let Some(unit) = unit else { return Ok(value) };
             let most = match unit {
                 Unit::Um | Unit::Mm => LONGEST,
@@ -173,25 +228,6 @@ fn numbers(columns: &[Column], fields: &[&str], expected: usize) -> Result<Vec<f
     columns.iter().map(value).collect()
 }
 
-/// A field, or its beginning.
-fn shown(text: &str) -> String {
-    text.chars().take(24).collect()
-}
-
-fn number(column: &str, text: &str) -> Result<f64, FieldProblem> {
-    let name = || column.to_owned();
-    let shown = || shown(text);
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(FieldProblem::NotFinite { column: name(), text: shown() }),
-        Err(_) if text.is_empty() => Err(FieldProblem::Blank { column: name() }),
-        Err(_) if text.replacen(',', ".", 1).parse::<f64>().is_ok() => {
-            Err(FieldProblem::DecimalComma { column: name(), text: shown() })
-        }
-        Err(_) => Err(FieldProblem::Text { column: name(), text: shown() }),
-    }
-}
-
 /// How many decimals the lines so far end with.
 #[derive(Default)]
 struct Decimals {
@@ -204,7 +240,7 @@ impl Decimals {
     /// A last line that has no line end and too little in it: fields missing, or fewer decimals than all the others have.
     fn cut_short(&mut self, record: &Record, header: &[String]) -> Option<FieldProblem> {
         let last = record.fields.last()?;
-        let decimals = last.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let decimals = last.split_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
         if record.ended || self.lines == 0 {
             if self.lines == 0 {
                 self.usual = decimals;

@@ -3,6 +3,7 @@
 //! What it states of the machine and the instrument (`[lengths]`, `[limits]`, `[instrument]`, `[assume]`, `[axis.A] range`) is put
 //! over the model file's own, which reads it ([`Described`](trunnion_codegen::problems::Described)); here is the rest.
 
+use super::called::Columns;
 use crate::study::{Estimator, MOST_WEIGHT};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -27,6 +28,8 @@ pub struct Project {
     pub robust: bool,
     /// The known functions.
     pub table: Option<PathBuf>,
+    /// What the columns of the runs' files are called where they have other names.
+    pub columns: Columns,
     /// The runs that were made, by their names.
     pub runs: Vec<ProjectRun>,
 }
@@ -94,6 +97,8 @@ struct File {
     machine: MachineAtHand,
     #[serde(default)]
     fit: Fit,
+    #[serde(default)]
+    columns: Columns,
     #[serde(default)]
     run: BTreeMap<String, Run>,
     // Read with the model.
@@ -177,6 +182,7 @@ impl Project {
                 Combine::TwoStep => Estimator::TwoStep,
             }),
             robust: matches!(file.fit.robust, Some(Robust::Huber)),
+            columns: file.columns,
             table: file.fit.table.map(|table| folder.join(table)),
             runs: file.run.into_iter().map(run).collect::<Result<_, _>>()?,
         })
@@ -193,7 +199,7 @@ mod tests {
 
     #[test]
     fn a_project_names_its_model_and_its_files() {
-        let text = "model = \"m\"\n[machine]\nserial = \"7\"\n[fit]\nestimator = \"two-step\"\nrobust = \"huber\"\ntable = \"t.csv\"\n\
+        let text = "model = \"m\"\n[columns]\na = \"Angle [deg]\"\n[machine]\nserial = \"7\"\n[fit]\nestimator = \"two-step\"\nrobust = \"huber\"\ntable = \"t.csv\"\n\
             [run.tilting]\nfiles = [\"a.csv\", \"b.csv\"]\nweight = 2\n[axis.A]\nrange = [0, 1]\n[lengths]\nR_mm = 3\n";
         assert!(Project::is_one(text) && !Project::is_one("name = \"m\""));
         let project = read(text).unwrap();
@@ -201,6 +207,7 @@ mod tests {
         assert_eq!((project.estimator, project.robust), (Some(Estimator::TwoStep), true));
         let folder = Path::new("a folder");
         assert_eq!(project.table, Some(folder.join("t.csv")));
+        assert_eq!(project.columns, "a=Angle [deg]".parse().unwrap());
         let files = ["a.csv", "b.csv"].map(|file| folder.join(file)).to_vec();
         assert_eq!(project.runs, [ProjectRun { name: "tilting".to_owned(), files, weight: Some(2.0) }]);
     }
@@ -213,6 +220,7 @@ mod tests {
             ("model = 3\n", "line 1: invalid type"),
             ("model = \"m\"\n[run.t]\nfiles = []\n", "line 3: no file"),
             ("model = \"m\"\n[run.t]\nfiles = [\"a\"]\nweight = -1\n", "line 4: weight = -1.0"),
+            ("model = \"m\"\n[columns]\na = \"\"\n", "line 2: "),
             ("model = \"m\"\n[fit]\nestimator = \"both\"\n", "line 3: unknown variant"),
         ];
         for (text, told) in cases {

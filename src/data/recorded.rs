@@ -3,8 +3,9 @@
 use super::error::{FileError, FileProblem};
 use super::known::KnownAlong;
 use super::limits::{KEPT, SAMPLES};
-use super::lines::Lines;
+use super::lines::{Line, Lines};
 use super::sweep::{RunColumns, check};
+use crate::import::{About, Trace, TraceSample, Wrong};
 use crate::study::{Recording, Sample, Setup, Weighed};
 use std::path::{Path, PathBuf};
 use trunnion_codegen::ids::RunId;
@@ -18,10 +19,17 @@ pub struct Recorded<'a> {
     file: PathBuf,
     columns: RunColumns<'a>,
     contents: Contents,
+    /// The run as an instrument's file has it.
+    trace: Option<Trace>,
     known: KnownAlong,
     headings: Headings,
     samples: usize,
 }
+
+/// By how much of itself the bar's length in an instrument's file may differ from the run's: a bar is known by its calibration.
+const BAR: f64 = 0.01;
+/// What the columns of a run of an instrument's file are called in messages.
+const IMPORTED: [&str; 2] = ["the arc", "READINGS"];
 
 /// What is gone through.
 enum Contents {
@@ -32,9 +40,10 @@ enum Contents {
 }
 
 impl Contents {
-    fn add(&mut self, sample: [f64; 2]) {
+    /// Keeps a sample, or goes over to a file that can be read again.
+    fn add(&mut self, sample: [f64; 2], again: bool) {
         match self {
-            Self::Kept(samples) if samples.len() < KEPT => samples.push(sample),
+            Self::Kept(samples) if samples.len() < KEPT || !again => samples.push(sample),
             Self::Kept(_) => *self = Self::File,
             Self::File => {}
         }
@@ -59,22 +68,60 @@ impl<'a> Recorded<'a> {
         known: KnownAlong,
     ) -> Result<Self, FileError> {
         let lines = Lines::open(file, &columns.wanted())?;
+        Self::of(setup, run, (file, lines), columns, (known, None))
+    }
+
+    /// A run of an instrument's file.
+    pub(super) fn imported(
+        setup: &'a Setup,
+        run: RunId,
+        (file, about, trace): (&Path, &About, Trace),
+        columns: RunColumns<'a>,
+        known: KnownAlong,
+    ) -> Result<Self, FileError> {
+        let fail = |problem: Wrong| FileError { file: file.to_owned(), problem: problem.of_all().into() };
+        if !columns.others.is_empty() {
+            return Err(fail(Wrong::NoDisplacements));
+        }
+        if let (Some(found_mm), Some(bar_mm)) = (about.bar_mm, columns.bar_mm)
+            && (found_mm - bar_mm).abs() > BAR * bar_mm
+        {
+            return Err(fail(Wrong::OtherBar { found_mm, bar_mm }));
+        }
+        let line = |s: &TraceSample| Line { line: s.line, values: vec![s.angle_rad, s.reading_mm] };
+        let lines = Lines::given(file, &IMPORTED, trace.kept().iter().map(line).collect());
+        Self::of(setup, run, (file, lines), columns, (known, Some(trace)))
+    }
+
+    fn of(
+        setup: &'a Setup,
+        run: RunId,
+        (file, lines): (&Path, Lines),
+        columns: RunColumns<'a>,
+        (known, trace): (KnownAlong, Option<Trace>),
+    ) -> Result<Self, FileError> {
         let mut contents = Contents::Kept(Vec::new());
+        let most = if trace.is_some() { usize::MAX } else { most(file) };
+        let again = trace.is_none() && most == usize::MAX;
         let (mut headings, mut outside, mut samples) = (Headings::default(), Vec::new(), 0);
-        check(lines, &columns, most(file), |sample| {
-            contents.add([sample.angle_rad, sample.reading_mm]);
+        check(lines, &columns, most, |sample| {
+            contents.add([sample.angle_rad, sample.reading_mm], again);
             headings.add(sample.angle_rad);
             if !known.covers(sample.angle_rad) && outside.len() < SAMPLES {
                 outside.push((sample.line, sample.angle_rad));
             }
             samples += 1;
         })?;
+        let file = file.to_owned();
         match known.outside(outside) {
-            Some(problem) => Err(FileError { file: file.to_owned(), problem }),
-            None => {
-                Ok(Self { setup, run, weight: 1.0, file: file.to_owned(), columns, contents, known, headings, samples })
-            }
+            Some(problem) => Err(FileError { file, problem }),
+            None => Ok(Self { setup, run, weight: 1.0, file, columns, contents, trace, known, headings, samples }),
         }
+    }
+
+    /// The file and the run in it, where it is an instrument's.
+    pub fn trace(&self) -> Option<(&Path, &Trace)> {
+        self.trace.as_ref().map(|trace| (self.file.as_path(), trace))
     }
 
     /// Samples in it.

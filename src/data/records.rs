@@ -4,9 +4,10 @@ use std::io::{BufRead, BufReader, Read};
 
 use csv_core::ReadRecordResult;
 
+use super::decoded::latin;
 use super::error::FileProblem;
 use super::limits::{LINE, LINES};
-use super::text::Encoding;
+use super::separator::Separator;
 
 /// Bytes read at once.
 const BLOCK: usize = 1 << 16;
@@ -38,16 +39,22 @@ pub(crate) struct Record<'a> {
 }
 
 impl Records {
-    pub fn new(source: Box<dyn Read>) -> Self {
+    pub fn new(source: Box<dyn Read>, separator: Separator) -> Self {
         Self {
             source: BufReader::with_capacity(BLOCK, source),
-            parser: csv_core::Reader::new(),
+            parser: csv_core::ReaderBuilder::new().delimiter(separator.sign()).build(),
             raw: Vec::new(),
             text: Vec::new(),
             ends: Vec::new(),
             taken: 0,
             ended: true,
         }
+    }
+
+    /// Passes over what stands above a line.
+    pub fn go_to(&mut self, line: u64) -> Result<(), FileProblem> {
+        while self.taken + 1 < line && self.take_line()? {}
+        Ok(())
     }
 
     /// The next line; none at the end.
@@ -131,8 +138,12 @@ impl Records {
         if self.taken == 1 && self.raw.starts_with("\u{feff}".as_bytes()) {
             self.raw.drain(..3);
         }
-        if let Some(encoding) = Encoding::of(&self.raw) {
-            return Err(FileProblem::NotUtf8 { line: self.taken, encoding });
+        if self.raw.contains(&0) {
+            return Err(FileProblem::NotText { line: self.taken });
+        }
+        // Numbers are the same in both; a letter that is wrong in UTF-8 is one in Latin-1.
+        if str::from_utf8(&self.raw).is_err() {
+            self.raw = latin(&self.raw).into_bytes();
         }
         Ok(true)
     }

@@ -22,6 +22,14 @@ pub enum ObservationsError {
     /// A run has no file.
     #[error("run `{0}` is not given\n  expected a file for every run of the model")]
     RunMissing(String),
+    /// A name is given to a column that the files do not have.
+    #[error("no file has a column {column:?}\n  expected names for {}", .columns.join(", "))]
+    UnknownColumn {
+        /// The column.
+        column: String,
+        /// The columns of the files.
+        columns: Vec<String>,
+    },
     /// A known function is one of a coordinate that the files do not have.
     #[error(
         "function {function} depends on axis {axis}, which is not the swept angle; tables over other coordinates are not read\n  expected a fit without --table, or a model in which it is assumed or estimated"

@@ -1,18 +1,18 @@
 //! From the files of a measurement to what is fitted.
 
+use super::called::Columns;
 use super::error::{FileError, FileProblem, Need};
+use super::imported::instrument_file;
 use super::known::{KnownAlong, KnownTable};
 use super::limits::SAMPLES;
 use super::recorded::Recorded;
 use super::refused::ObservationsError;
-use super::sweep::RunColumns;
+use super::sweep::{READING, RunColumns};
 use crate::study::{Observation, Recording, Setup};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use trunnion_codegen::ids::RunId;
 
-/// The readings' column of a run with a file of its own, without the unit.
-const READING: &str = "dr";
 /// The readings' columns of a file with all three displacements.
 const CHANNELS: [&str; 3] = ["dx", "dy", "dz"];
 /// Those beside each of them.
@@ -22,7 +22,10 @@ const ENDINGS: [&str; 3] = ["-x", "-y", "-z"];
 
 /// The files of every run of a model: one for each time that it was measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RunFiles(Vec<(RunId, Source)>);
+pub struct RunFiles {
+    sources: Vec<(RunId, Source)>,
+    columns: Columns,
+}
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Source {
@@ -54,22 +57,77 @@ impl RunFiles {
         let missing = setup.model.runs.keys().find(|run| files.iter().all(|(own, _)| own != run));
         match missing {
             Some(run) => Err(ObservationsError::RunMissing(setup.model.runs[run].name.clone())),
-            None => Ok(Self(files)),
+            None => Ok(Self { sources: files, columns: Columns::default() }),
+        }
+    }
+
+    /// The same files, whose columns have other names.
+    ///
+    /// # Errors
+    /// [`ObservationsError`] for a column that no run has.
+    pub fn under(self, setup: &Setup, columns: Columns) -> Result<Self, ObservationsError> {
+        let sweeps = setup.model.runs.iter().map(|run| setup.model.alphabet.sweep_name(run.sweep));
+        let readings = self.sources.iter().map(|(_, source)| source.column);
+        let mut known: Vec<&str> = sweeps.chain(readings).collect();
+        known.sort_unstable();
+        known.dedup();
+        let unknown = columns.names().find(|name| !known.contains(name)).map(str::to_owned);
+        match unknown {
+            Some(column) => {
+                let columns = known.into_iter().map(str::to_owned).collect();
+                Err(ObservationsError::UnknownColumn { column, columns })
+            }
+            None => Ok(Self { columns, ..self }),
         }
     }
 
     /// The files of a run.
     pub fn files(&self, run: RunId) -> impl Iterator<Item = &Path> {
-        self.0.iter().filter(move |(own, _)| *own == run).map(|(_, source)| source.file.as_path())
+        self.sources.iter().filter(move |(own, _)| *own == run).map(|(_, source)| source.file.as_path())
     }
 
-    /// Goes through every run once, each with weight 1; the known functions are those of the table, or zero without one.
+    /// Goes through every run once, each with weight 1; the known functions are those of the table, or zero without one. An
+    /// instrument's file that holds several runs is as many recordings.
     ///
     /// # Errors
     /// [`ObservationsError`] for a file that cannot be used, or a known function that no table can give.
-    pub fn open<'a>(&self, setup: &'a Setup, table: Option<&Path>) -> Result<Vec<Recorded<'a>>, ObservationsError> {
+    pub fn open<'a>(&'a self, setup: &'a Setup, table: Option<&Path>) -> Result<Vec<Recorded<'a>>, ObservationsError> {
         let table = table.map(|file| KnownTable::read(setup, file)).transpose()?.map(Rc::new);
-        self.0.iter().map(|(run, source)| recorded(setup, *run, source, table.as_ref())).collect()
+        let mut all = Vec::new();
+        for (run, source) in &self.sources {
+            all.append(&mut self.recorded(setup, *run, source, table.as_ref())?);
+        }
+        Ok(all)
+    }
+
+    /// A run's file, gone through once.
+    fn recorded<'a>(
+        &'a self,
+        setup: &'a Setup,
+        run: RunId,
+        source: &Source,
+        table: Option<&Rc<KnownTable>>,
+    ) -> Result<Vec<Recorded<'a>>, FileError> {
+        let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
+        let columns = RunColumns {
+            angle: setup.model.alphabet.sweep_name(described.sweep),
+            reading: source.column,
+            others: match CHANNELS.iter().position(|column| *column == source.column) {
+                Some(own) => OTHERS[own],
+                None => &[],
+            },
+            names: &self.columns,
+            bar_mm: setup.bar(run),
+            least: derived.regressors.len() + 1,
+        };
+        let table = table.filter(|_| !derived.known.is_empty());
+        let known = || table.map_or_else(KnownAlong::default, |table| table.along(setup, run));
+        let Some(imported) = instrument_file(&source.file)? else {
+            return Ok(vec![Recorded::open(setup, run, &source.file, columns, known())?]);
+        };
+        let about = &imported.about;
+        let recorded = |trace| Recorded::imported(setup, run, (&source.file, about, trace), columns, known());
+        imported.traces.into_iter().map(recorded).collect()
     }
 
     /// Reads every run into memory, [`SAMPLES`] in all at most.
@@ -80,7 +138,7 @@ impl RunFiles {
         let recorded = self.open(setup, table)?;
         if recorded.iter().map(Recorded::samples).sum::<usize>() > SAMPLES {
             let problem = FileProblem::TooMany { most: SAMPLES, of: Need::Coefficients };
-            let file = self.0.last().map_or_else(PathBuf::new, |(_, source)| source.file.clone());
+            let file = self.sources.last().map_or_else(PathBuf::new, |(_, source)| source.file.clone());
             return Err(FileError { file, problem }.into());
         }
         let read = |recorded: &Recorded| {
@@ -103,27 +161,4 @@ pub fn observations<P: AsRef<Path>>(
     table: Option<&Path>,
 ) -> Result<Vec<Observation>, ObservationsError> {
     RunFiles::new(setup, files)?.read(setup, table)
-}
-
-/// A run's file, gone through once.
-fn recorded<'a>(
-    setup: &'a Setup,
-    run: RunId,
-    source: &Source,
-    table: Option<&Rc<KnownTable>>,
-) -> Result<Recorded<'a>, ObservationsError> {
-    let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
-    let columns = RunColumns {
-        angle: setup.model.alphabet.sweep_name(described.sweep),
-        reading: source.column,
-        others: match CHANNELS.iter().position(|column| *column == source.column) {
-            Some(own) => OTHERS[own],
-            None => &[],
-        },
-        bar_mm: setup.bar(run),
-        least: derived.regressors.len() + 1,
-    };
-    let table = table.filter(|_| !derived.known.is_empty());
-    let known = table.map_or_else(KnownAlong::default, |table| table.along(setup, run));
-    Ok(Recorded::open(setup, run, &source.file, columns, known)?)
 }

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
+use super::called::{Columns, NATIVE};
 use super::columns::{SWEEP, Wanted, deviation};
 use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, Need};
 use super::limits::SAMPLES;
@@ -20,7 +21,7 @@ const BEYOND_STROKE_MM: f64 = 2.0;
 const MOST_TURNS: f64 = 10.0;
 
 /// The readings' column without its unit.
-const READING: &str = "dr";
+pub(super) const READING: &str = "dr";
 
 /// One sample of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +50,8 @@ pub(super) struct RunColumns<'a> {
     pub reading: &'a str,
     /// Other lengths that have to be there.
     pub others: &'a [&'a str],
+    /// What its columns are called in the file.
+    pub names: &'a Columns,
     /// Nominal length of the bar, mm; none where displacements are read.
     pub bar_mm: Option<f64>,
     /// Samples needed.
@@ -65,7 +68,8 @@ impl Sweep {
     /// turns; where there are fewer than `least` angles, or more than [`SAMPLES`]; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], bar_mm: Some(radius.mm()), least })
+        let bar_mm = Some(radius.mm());
+        Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], names: &NATIVE, bar_mm, least })
     }
 
     fn read_as(file: &Path, expected: &RunColumns) -> Result<Self, FileError> {
@@ -126,7 +130,8 @@ impl<'a> RunColumns<'a> {
     pub fn wanted(&self) -> Vec<Wanted<'a>> {
         let length = |name| Wanted::new(name, deviation(Quantity::Length));
         let others = self.others.iter().map(|name| length(name));
-        [Wanted::new(self.angle, SWEEP), length(self.reading)].into_iter().chain(others).collect()
+        let wanted = [Wanted::new(self.angle, SWEEP), length(self.reading)].into_iter().chain(others);
+        wanted.map(|wanted| wanted.in_files(self.names)).collect()
     }
 
     /// The sample on a line of these columns.

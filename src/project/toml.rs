@@ -27,6 +27,8 @@ pub fn project(planned: &Planned) -> String {
         out += &range(axis);
     }
     out += "[fit]\nestimator = \"joint\"\n# robust = \"huber\"\n# table = \"table.csv\"         # known functions\n\n";
+    out += "# What columns are called in files of other programs; with the unit stated, dr_um = \"Radius\".\n[columns]\n\
+            # a = \"Angle [deg]\"\n# dr = \"Radius [µm]\"\n\n";
     for &(run, _) in planned.paths {
         let files = planned.readings(run).map(|file| string(&file)).join(", ");
         let _ = writeln!(out, "[run.{}]\nfiles = [{files}]\n", key(planned.name(run)));

@@ -41,7 +41,7 @@ fn bad_inputs<'a>() -> Vec<Bad<'a>> {
         given("missing file", &["--run", "tilting=none.csv", "--run", separation]),
         given("directory for a file", &["--run", "tilting=.", "--run", separation]),
         fit_of("missing column", tilting(run_file("a_deg", |i, _| i.to_string()))),
-        fit_of("unknown column", tilting(run_file("a_deg,dr_um,load", |_, line| line + ",1"))),
+        fit_of("unknown column", tilting(run_file("a_deg,load", |_, line| line))),
         fit_of("missing unit", tilting(run_file("a,dr_um", |_, line| line))),
         fit_of("wrong unit", tilting(run_file("a_deg,dr_urad", |_, line| line))),
         fit_of("NaN", tilting(at_line(9, "105,NaN"))),

@@ -53,6 +53,16 @@ pub enum HeaderProblem {
         /// The units it may be in.
         units: &'static [Unit],
     },
+    /// A name of another program without a unit that is known.
+    #[error("column {column:?} has no unit that is known\n  expected it to be stated: {} in place of {name}", UnitNames(.name, .units))]
+    UnknownUnit {
+        /// The column as it stands.
+        column: String,
+        /// Its name here.
+        name: String,
+        /// The units it may be in.
+        units: &'static [Unit],
+    },
     /// The same quantity twice, in the same unit or in two.
     #[error("columns {first:?} and {second:?} are the same quantity\n  expected one of them: remove the other")]
     Twice {

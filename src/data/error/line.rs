@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::words::Degrees;
+use crate::data::separator::Separator;
 
 /// A line that is not usable.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -20,16 +21,18 @@ pub struct LineProblem {
 #[non_exhaustive]
 pub enum FieldProblem {
     /// Too few or too many fields.
-    #[error("{found} field(s) in a file of {expected} columns\n  expected {expected} numbers separated by commas")]
+    #[error("{found} field(s) in a file of {expected} columns\n  expected {expected} fields separated by {separator}")]
     Count {
         /// Fields in the line.
         found: usize,
         /// Columns in the header.
         expected: usize,
+        /// What stands between the fields.
+        separator: Separator,
     },
     /// Twice as many fields as columns: commas in the numbers too.
     #[error(
-        "{found} fields in a file of {expected} columns: decimal commas?\n  expected points in numbers (12.5) and commas between them"
+        "{found} fields in a file of {expected} columns: decimal commas?\n  expected decimal commas with semicolons between the numbers (1,5;12,5), or decimal points"
     )]
     DecimalCommas {
         /// Fields in the line.
@@ -65,12 +68,14 @@ pub enum FieldProblem {
         /// The field's column.
         column: String,
     },
-    /// A comma within a number.
-    #[error("{text:?} in column {column} has a decimal comma\n  expected a decimal point, such as 12.5")]
-    DecimalComma {
+    /// Decimal commas and points in one file.
+    #[error(
+        "{text:?} in column {column} has another decimal sign than the numbers before it\n  expected decimal points or decimal commas throughout, and no sign between thousands"
+    )]
+    MixedDecimals {
         /// The field's column.
         column: String,
-        /// The field.
+        /// The field, or its beginning.
         text: String,
     },
     /// NaN or infinite.

@@ -17,7 +17,8 @@ use header::Joined;
 use words::{Degrees, List};
 
 use super::limits::{LINE, LINES};
-use super::text::Encoding;
+use super::separator::Separator;
+use crate::import::ImportProblem;
 
 /// Problems shown of one file; the rest are counted.
 const SHOWN: usize = 5;
@@ -96,14 +97,21 @@ pub enum FileProblem {
         /// The columns such a file has.
         columns: Vec<String>,
     },
-    /// Not UTF-8.
-    #[error("not UTF-8 text but {encoding}\n  save the file as plain CSV in UTF-8")]
-    NotUtf8 {
-        /// The line of the first bad byte.
+    /// Bytes that are no letters.
+    #[error("this is not text\n  expected a CSV file")]
+    NotText {
+        /// The line of the first one.
         line: u64,
-        /// What it looks like.
-        encoding: Encoding,
     },
+    /// XML where a table belongs.
+    #[error("this is XML\n  expected a CSV file with the columns {}; the file of an instrument for a run of a ball-bar, by its name", List(.columns))]
+    Xml {
+        /// The columns such a file has.
+        columns: Vec<String>,
+    },
+    /// An instrument's own file cannot be used.
+    #[error(transparent)]
+    Import(#[from] ImportProblem),
     /// A line, or a field in quotes that goes over several, of more than [`LINE`] bytes.
     #[error(
         "a line of more than {LINE} bytes\n  expected a line for each sample: is this a CSV file, and every quote closed?"
@@ -126,15 +134,17 @@ pub enum FileProblem {
         /// Of what.
         of: Need,
     },
-    /// Fields divided by something else than commas.
+    /// Fields that may be divided in two ways.
     #[error(
-        "fields are separated by {separator}\n  expected commas between fields and points in numbers: replace decimal commas by points first, then {separator} by commas"
+        "fields may be separated by {first} or by {second}\n  expected one of them throughout, and the columns' names above the numbers"
     )]
-    Separator {
-        /// The header's line.
+    Ambiguous {
+        /// The line of the header.
         line: u64,
-        /// What stands between the fields.
-        separator: Separator,
+        /// What may stand between the fields.
+        first: Separator,
+        /// What else.
+        second: Separator,
     },
     /// The header's columns are not those expected.
     #[error("{}", Joined(.problems))]
@@ -229,16 +239,15 @@ impl Need {
     }
 }
 
-/// Separators that are not commas.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum Separator {
-    /// `;`
-    #[error("semicolons")]
-    Semicolon,
-    /// A tabulator.
-    #[error("tabs")]
-    Tab,
+impl FileProblem {
+    /// The line of a problem that has one place.
+    fn line(&self) -> Option<u64> {
+        match self {
+            Self::NotText { line } | Self::LongLine { line } | Self::Ambiguous { line, .. } => Some(*line),
+            Self::Import(problem) => problem.line(),
+            _ => None,
+        }
+    }
 }
 
 impl From<io::Error> for FileProblem {
@@ -287,12 +296,10 @@ impl fmt::Display for FileError {
                     rest => write!(f, "\n… and {rest} more"),
                 }
             }
-            FileProblem::NotUtf8 { line, .. }
-            | FileProblem::LongLine { line }
-            | FileProblem::Separator { line, .. } => {
-                write!(f, "{file}:{line}: {}", self.problem)
-            }
-            _ => write!(f, "{file}: {}", self.problem),
+            problem => match problem.line() {
+                Some(line) => write!(f, "{file}:{line}: {problem}"),
+                None => write!(f, "{file}: {problem}"),
+            },
         }
     }
 }

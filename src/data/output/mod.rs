@@ -7,7 +7,7 @@ mod set;
 mod stage;
 
 pub use error::{WriteError, WriteProblem, remedy};
-pub(super) use own::{INDEX, LISTED, digest};
+pub(super) use own::{INDEX, LISTED, digest, sealed};
 pub use set::Files;
 pub use stage::discard_staged;
 

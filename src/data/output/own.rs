@@ -2,7 +2,7 @@
 //!
 //! A picture says itself that Trunnion drew it. Measurement files cannot: a simulated one looks like a real one, which must not
 //! be lost. So `truth.json` lists the files that were written with it, each with a digest; one that was changed since is none of
-//! them.
+//! them. An imported one has its digest in its first line: somebody may have gone on working on it.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -17,6 +17,21 @@ pub(in crate::data) const INDEX: &str = "truth.json";
 
 /// The key of the list in it.
 pub(in crate::data) const LISTED: &str = "files";
+
+/// The beginning of an imported file; its digest and the end of the line follow.
+const SEAL: &str = "# imported by trunnion, digest of what follows ";
+
+/// The contents of a file below their digest.
+pub(in crate::data) fn sealed(contents: &[u8]) -> Vec<u8> {
+    [format!("{SEAL}{}\n", digest(contents)).as_bytes(), contents].concat()
+}
+
+/// Whether contents are as they were sealed.
+fn is_sealed(contents: &[u8]) -> bool {
+    let line = contents.strip_prefix(SEAL.as_bytes());
+    let parts = line.and_then(|rest| Some(rest.split_at(rest.iter().position(|byte| *byte == b'\n')?)));
+    parts.is_some_and(|(sealed, rest)| rest.get(1..).is_some_and(|rest| digest(rest).as_bytes() == sealed))
+}
 
 /// FNV-1a of 64 bits, in hexadecimal: tells a changed file, and need not withstand an attack.
 pub(in crate::data) fn digest(contents: &[u8]) -> String {
@@ -62,5 +77,5 @@ impl Listed {
 /// Whether a file says itself that it is an earlier result; an empty one has nothing to lose.
 pub(super) fn says_so(contents: &[u8]) -> bool {
     let head = &contents[..contents.len().min(256)];
-    contents.is_empty() || head.windows(MADE.len()).any(|part| part == MADE.as_bytes())
+    contents.is_empty() || is_sealed(contents) || head.windows(MADE.len()).any(|part| part == MADE.as_bytes())
 }
