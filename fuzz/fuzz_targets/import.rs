@@ -15,7 +15,7 @@ fuzz_target!(|bytes: &[u8]| {
         let Ok(imported) = repeated(|| import(&file, "a", columns, stated)) else { continue };
         finite(&imported);
         let kept = imported.imported.traces.iter().map(|trace| trace.kept());
-        let (files, names) = repeated(|| native_files(&[(&file, &imported)], "a")).expect("finite runs");
+        let (files, names) = native_files(&[(&file, &imported)], "a").expect("finite runs");
         // What is written is read again as it is.
         for (name, kept) in names.iter().flatten().zip(kept) {
             let contents = files.iter().find(|(own, _)| own == name).expect("a run's file").1;
