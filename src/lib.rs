@@ -29,11 +29,13 @@
 //! | read and write measurement files | [`data`] |
 //! | fit, report, simulate, study | [`study`] |
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
+//! | evaluate a circular test as ISO 230-4 does | [`circular`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
 //! Lengths are in mm and angles in rad wherever a name or a [`data::Unit`] does not say otherwise.
 
+pub mod circular;
 pub mod data;
 pub mod exechon;
 pub mod plot;

@@ -29,6 +29,8 @@ enum Command {
     Simulate(commands::simulate::SimulateArguments),
     /// Errors and their uncertainty from measurement files.
     Fit(commands::fit::FitArguments),
+    /// The circular test of ISO 230-4: its figures, what is read from the trace, and the polar plot.
+    Circular(commands::circular::CircularArguments),
     /// What intended runs would tell: ranges, radii and subsets of runs compared, and which added run tells more.
     Plan(commands::plan::PlanArguments),
     /// Distribution of the largest error of an estimated function over many drawn machines.
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
         Command::Fit(c) => c.run(),
+        Command::Circular(c) => c.run(),
         Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),
         Command::Exechon(c) => c.run(),

@@ -23,12 +23,19 @@ pub(crate) struct Wanted<'a> {
     pub units: &'static [Unit],
     /// What its values are where the file does not have it; none if it has to be there.
     pub absent: Option<f64>,
+    /// Whether a column of any other name is meant as well, if its unit fits.
+    pub any: bool,
 }
 
 impl<'a> Wanted<'a> {
     /// A column that has to be there.
     pub const fn new(name: &'a str, units: &'static [Unit]) -> Self {
-        Self { name, units, absent: None }
+        Self { name, units, absent: None, any: false }
+    }
+
+    /// A column that has to be there, whatever stands before its unit; `name` for example.
+    pub const fn any(name: &'a str, units: &'static [Unit]) -> Self {
+        Self { name, units, absent: None, any: true }
     }
 
     /// As a message lists it: `a_deg or a_rad`.
@@ -77,6 +84,11 @@ enum Match {
 }
 
 fn compare(field: &str, wanted: &Wanted) -> Option<Match> {
+    if wanted.any {
+        let (_, suffix) = field.rsplit_once('_')?;
+        let unit = wanted.units.iter().find(|unit| unit.suffix() == suffix)?;
+        return Some(Match::Fits(Some(*unit)));
+    }
     match (field.strip_prefix(wanted.name)?, wanted.units) {
         ("", []) => Some(Match::Fits(None)),
         ("", _) => Some(Match::NoUnit),
