@@ -10,6 +10,8 @@ use trunnion_solver::circle::Circle;
 
 /// The arrow at a path's beginning is this long, rad.
 const ARROW: f64 = TAU / 18.0;
+/// A path of more samples is drawn with fewer: the eye sees no more of them.
+const DRAWN: usize = 7200;
 /// From a point of a circle to the next one, degrees.
 const STEP: usize = 2;
 
@@ -25,7 +27,7 @@ pub fn picture(test: &Test, figures: &Circular, title: &str) -> PolarChart {
         // Samples in no order say where they are, not where the path began.
         let begins = figures.paths.iter().any(|path| path.direction == direction && path.start.is_some());
         let arrow = if begins { beginning(&path) } else { Vec::new() };
-        series.push(Series { name: direction.to_string(), tone, mark: Mark::Line(drawn(path)) });
+        series.push(Series { name: direction.to_string(), tone, mark: Mark::Line(drawn(thinned(path))) });
         if !arrow.is_empty() {
             series.push(Series { name: String::new(), tone, mark: Mark::Arrow(drawn(arrow)) });
         }
@@ -46,6 +48,21 @@ pub fn picture(test: &Test, figures: &Circular, title: &str) -> PolarChart {
 /// In degrees and µm.
 fn drawn(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     points.into_iter().map(|(angle, deviation)| (angle.to_degrees(), Unit::Um.from_inner(deviation))).collect()
+}
+
+/// The smallest and the largest deviation of each few samples, in their order.
+fn thinned(path: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    if path.len() <= DRAWN {
+        return path;
+    }
+    let ends = |few: &[(f64, f64)]| {
+        let by = |a: &&(usize, &(f64, f64)), b: &&(usize, &(f64, f64))| a.1.1.total_cmp(&b.1.1);
+        let numbered: Vec<_> = few.iter().enumerate().collect();
+        let mut ends: Vec<_> = [numbered.iter().min_by(by), numbered.iter().max_by(by)].into_iter().flatten().collect();
+        ends.sort_by_key(|(at, _)| *at);
+        ends.into_iter().map(|(_, sample)| **sample).collect::<Vec<_>>()
+    };
+    path.chunks((2 * path.len()).div_ceil(DRAWN)).flat_map(ends).collect()
 }
 
 /// The first part of a path.

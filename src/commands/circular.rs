@@ -77,7 +77,7 @@ fn trace(file: &Path, radius: Radius) -> Result<Trace, Refused> {
 }
 
 /// One object: the paths, both together, what is read from the trace, spikes, warnings.
-fn document(figures: &Circular) -> Value {
+pub fn document(figures: &Circular) -> Value {
     let radius = figures.radius;
     let path = |path: &trunnion::circular::Path| {
         let mut object = circles(&path.circles, radius);

@@ -110,7 +110,7 @@ fn bad_input_is_named() {
     assert!(refused(&[]).contains("--cw"));
     assert!(refused(&["--cw", CW, "--ccw", CW]).contains("the same file"));
     assert!(refused(&["--cw", CW, "--plane", "XX"]).contains("not a plane"));
-    assert!(refused(&["--cw", CW, "--feed", "0"]).contains("feed"));
+    assert!(refused(&["--cw", CW, "--feed", "0"]).contains("above 0 to 1000000"));
     assert!(refused(&["--cw", "none.csv"]).contains("no such file"));
     let directory = tempfile::tempdir().unwrap();
     let file = |name: &str, text: &str| {
@@ -133,4 +133,17 @@ fn bad_input_is_named() {
     assert!(refused(&["--ccw", &good, "--svg", &good, "--force"]).contains("good.csv"));
     let output = trunnion(&["--cw", &good]);
     assert!(str::from_utf8(&output.stderr).unwrap().contains("go the other way"));
+}
+
+#[test]
+fn a_path_of_a_minute_is_drawn_with_all_its_peaks_in_a_small_file() {
+    let directory = tempfile::tempdir().unwrap();
+    let [file, picture] = ["long.csv", "long.svg"].map(|name| directory.path().join(name).to_str().unwrap().to_owned());
+    let row = |k: u32| format!("{:.3},{}\n", f64::from(k) * 0.006, if k == 31_234 { 9 } else { k % 3 });
+    fs::write(&file, format!("a_deg,dr_um\n{}", (0..60_000).map(row).collect::<String>())).unwrap();
+    assert!(succeeds(&["--ccw", &file, "--svg", &picture]).contains("9.00 µm 187.4°"));
+    let drawn = fs::read_to_string(picture).unwrap();
+    assert!(drawn.len() < 150_000, "{}", drawn.len());
+    // The largest deviation is the outermost point, which the scale's last circle is for.
+    assert!(drawn.contains(">\n10\n<"));
 }

@@ -150,9 +150,9 @@ fn neither_order_nor_repeats_nor_whole_turns_matter() {
     }
     let h = |told: &super::Circular| told.both.as_ref().unwrap().hysteresis.unwrap().deviation;
     near(h(&told), h(&again), 1e-9);
-    // A second time, 1 µm off one way and the other: the mean is as it was, the range is not.
-    let twice = |path: &[(f64, f64)]| path.iter().flat_map(|(a, d)| [(*a, d - 0.001), (*a, d + 0.001)]).collect();
-    let repeated = both(twice(&cw), twice(&ccw));
+    // A second time, off by 1 µm the other way: the mean is as it was, the range is not.
+    let twice = |path: &[(f64, f64)], by: f64| path.iter().flat_map(|(a, d)| [(*a, d - by), (*a, d + by)]).collect();
+    let repeated = both(twice(&cw, 0.001), twice(&ccw, -0.001));
     near(h(&repeated), h(&told), 1e-9);
     assert!(repeated.paths[0].circles.zone.width() > told.paths[0].circles.zone.width() + 0.0015);
 }
