@@ -30,6 +30,9 @@
 //! | fit, report, simulate, study | [`study`] |
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
 //! | evaluate a circular test as ISO 230-4 does | [`circular`] |
+//! | begin a measurement: project file and measuring plan | [`project`] |
+//! | write the NC program of a run | [`program`] |
+//! | say what has changed between reports | [`history`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
@@ -38,7 +41,10 @@
 pub mod circular;
 pub mod data;
 pub mod exechon;
+pub mod history;
 pub mod plot;
+pub mod program;
+pub mod project;
 pub mod study;
 
 pub use study::{Estimator, Setup};

@@ -2,16 +2,24 @@
 
 mod commands;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use commands::output::{OutputError, say};
 use commands::seen;
 use std::io::{self, Write};
 use std::process::ExitCode;
 use trunnion::data::discard_staged;
 
+const CODES: &str = "\
+Exit codes:
+    0  done
+    2  refused: what was wrong is said on standard error, with file and line; nothing is half written
+  130  interrupted
+
+Colours are left out where NO_COLOR is set or nobody looks.";
+
 /// Derives, fits and embeds the measurement models of multi-axis machine tools.
 #[derive(Debug, Parser)]
-#[command(version, propagate_version = true)]
+#[command(version, propagate_version = true, after_help = CODES)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -23,6 +31,8 @@ enum Command {
     Demo(commands::demo::DemoArguments),
     /// The catalogue: which machine is mine.
     Models(commands::models::ModelsArguments),
+    /// A folder to measure with: project file, measuring plan, NC programs.
+    New(commands::new::NewArguments),
     /// Equations, base parameters and source code of a model.
     Derive(commands::derive::DeriveArguments),
     /// Measurement files of a drawn machine, from exact lengths.
@@ -31,6 +41,8 @@ enum Command {
     Fit(commands::fit::FitArguments),
     /// The circular test of ISO 230-4: its figures, what is read from the trace, and the polar plot.
     Circular(commands::circular::CircularArguments),
+    /// What has changed between reports, beyond their uncertainty.
+    Compare(commands::compare::CompareArguments),
     /// What intended runs would tell: ranges, radii and subsets of runs compared, and which added run tells more.
     Plan(commands::plan::PlanArguments),
     /// Distribution of the largest error of an estimated function over many drawn machines.
@@ -38,6 +50,10 @@ enum Command {
     /// The parallel machine: kinematics, dependent rotation, probe offset, ring test.
     #[command(subcommand)]
     Exechon(commands::exechon::Exechon),
+    /// Completions for a shell.
+    Completions(commands::shell::CompletionsArguments),
+    /// Manual pages.
+    Man(commands::shell::ManArguments),
 }
 
 fn main() -> ExitCode {
@@ -55,13 +71,17 @@ fn main() -> ExitCode {
     let done = match arguments.command {
         Command::Demo(c) => c.run(),
         Command::Models(c) => c.run(),
+        Command::New(c) => c.run(),
         Command::Derive(c) => c.run(),
         Command::Simulate(c) => c.run(),
         Command::Fit(c) => c.run(),
         Command::Circular(c) => c.run(),
+        Command::Compare(c) => c.run(),
         Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),
         Command::Exechon(c) => c.run(),
+        Command::Completions(c) => c.run(Arguments::command()),
+        Command::Man(c) => c.run(Arguments::command()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -114,7 +114,7 @@ fn what_has_no_end_is_refused() {
         (
             "(echo a_deg,dr_um; yes 1,2) |",
             &format!("fit tilting-table-a --run tilting=- {other}"),
-            "more than 300000 samples",
+            "more than 1000000 samples",
         ),
         (
             "(echo a_deg,dr_um; echo '1,\"2'; yes 3,4) |",

@@ -1,7 +1,7 @@
 //! `trunnion derive`: equations, base parameters and source code of a model.
 
 use super::Refused;
-use super::model::{load, setup};
+use super::model::{setup, source};
 use super::output::print;
 use super::predicted::{Measuring, prediction};
 use clap::{ArgGroup, Args, ValueEnum};
@@ -16,8 +16,8 @@ use trunnion_codegen::problems::derivation;
 #[derive(Debug, Args)]
 #[command(group = ArgGroup::new("predicted").args(["samples", "noise_um", "estimator"]).multiple(true).requires("radius"))]
 pub struct DeriveArguments {
-    /// A name from the catalogue, or a model file.
-    model: String,
+    /// A name from the catalogue, a model file, or a project; without it the project of this folder, trunnion.toml.
+    model: Option<String>,
     /// What to print.
     #[arg(long, value_enum, default_value_t = Emit::Text)]
     emit: Emit,
@@ -57,7 +57,7 @@ impl DeriveArguments {
             let told = "of no use here\n  expected it with --emit text, or not at all";
             return Err(Refused::Option("radius", radius.to_string(), told));
         }
-        let description = load(&self.model)?;
+        let description = source(self.model.as_deref())?.model()?;
         let derivation = derivation(&description).map_err(SetupError::Description)?;
         let predicted = match (self.radius, self.emit) {
             (Some(mm), Emit::Text) => {

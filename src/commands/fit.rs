@@ -6,8 +6,8 @@ use super::pair::pair;
 use super::stated::{InstrumentArguments, LimitArguments};
 use super::{Refused, document};
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
-use trunnion::data::{ObservationsError, RunFiles};
+use std::path::{Path, PathBuf};
+use trunnion::data::{ObservationsError, Project, RunFiles};
 use trunnion::study::plan::subset;
 use trunnion::study::{Estimator, Failed, How, SetupError, fit_recorded, report_on, weigh};
 use trunnion_codegen::ids::RunId;
@@ -19,17 +19,17 @@ pub struct FitArguments {
     #[command(flatten)]
     model: ModelArguments,
     /// Measurements of a run; once for each run that was made, and again for each time that it was made or direction that it was
-    /// made in.
+    /// made in; without it those of the project.
     ///
     /// Three displacements may be in one file with the columns dx, dy, dz: `low=FILE` for the runs low-x, low-y, low-z.
-    #[arg(long = "run", value_name = "NAME=FILE", required = true)]
+    #[arg(long = "run", value_name = "NAME=FILE")]
     runs: Vec<String>,
-    /// The known functions over the swept angle; without it they are taken as zero.
+    /// The known functions over the swept angle; without it the project's, else they are taken as zero.
     #[arg(long, value_name = "FILE")]
     table: Option<PathBuf>,
-    /// How the runs are combined.
-    #[arg(long, value_enum, default_value_t = Combine::Joint)]
-    estimator: Combine,
+    /// How the runs are combined; without it as the project says, else joint.
+    #[arg(long, value_enum)]
+    estimator: Option<Combine>,
     /// Weigh readings down that are far off the others (those beyond 1.345 robust standard deviations, by Huber's weights).
     #[arg(long, value_enum, value_name = "HOW")]
     robust: Option<Robust>,
@@ -74,25 +74,31 @@ impl From<Combine> for Estimator {
 impl FitArguments {
     /// Reads, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let given = self.files()?;
-        let setup = self.model.setup(|model| made(model, &given))?;
+        let source = self.model.source()?;
+        // What is asked for by name stands alone.
+        let project = source.project.as_ref().filter(|_| self.runs.is_empty());
+        let given = self.files(project)?;
+        let setup = self.model.setup(&source, |model| made(model, &given))?;
         let files = RunFiles::new(&setup, &given)?;
-        let weights = self.weights()?;
+        let weights = self.weights(&setup.model, project)?;
         let (limits, instrument) = (self.limits.limits(&setup), self.instrument.instrument(&setup.model)?);
-        let mut recorded = files.open(&setup, self.table.as_deref())?;
+        let project = source.project.as_ref();
+        let table = self.table.as_deref().or(project.and_then(|project| project.table.as_deref()));
+        let mut recorded = files.open(&setup, table)?;
         weigh(&setup, &mut recorded, &weights).map_err(|e| Refused::weight(&e, &self.weights))?;
         let file = |run: &str| {
             let files = |run| files.files(run).map(|file| file.display().to_string()).collect::<Vec<_>>();
             setup.run(run).map_or_else(|| run.to_owned(), |run| files(run).join(", "))
         };
-        let robust = self.robust == Some(Robust::Huber);
-        let how = How { estimator: self.estimator.into(), robust, ..How::default() };
+        let robust = self.robust == Some(Robust::Huber) || project.is_some_and(|project| project.robust);
+        let estimator = self.estimator.map(Estimator::from).or(project.and_then(|project| project.estimator));
+        let how = How { estimator: estimator.unwrap_or(Estimator::Joint), robust, ..How::default() };
         let fitted = fit_recorded(&setup, &recorded, how);
         let (fitted, observations) = fitted.map_err(|failed| match failed {
             Failed::Estimate(e) => Refused::from(e.rename(file)),
             Failed::Recording(e) => ObservationsError::from(e).into(),
         })?;
-        let report = report_on(&setup, &observations, &fitted, limits, &instrument, self.table.is_none())?;
+        let report = report_on(&setup, &observations, &fitted, limits, &instrument, table.is_none())?;
         for warning in &report.warnings {
             say(format_args!("warning: {warning}"));
         }
@@ -102,7 +108,8 @@ impl FitArguments {
         })?)
     }
 
-    fn files(&self) -> Result<Vec<(&str, &str)>, Refused> {
+    /// The runs' files: those given, else the project's.
+    fn files<'a>(&'a self, project: Option<&'a Project>) -> Result<Vec<(&'a str, &'a Path)>, Refused> {
         let split = |given| pair(given).filter(|(_, file)| !file.is_empty());
         let not = |given: &String| Refused::NotAPair {
             option: "run",
@@ -111,25 +118,42 @@ impl FitArguments {
             range: "",
             example: "tilting=run1.csv",
         };
-        self.runs.iter().map(|given| split(given).ok_or_else(|| not(given))).collect()
+        let given = self.runs.iter().map(|given| match split(given) {
+            Some((name, file)) => Ok((name, Path::new(file))),
+            None => Err(not(given)),
+        });
+        let runs = project.into_iter().flat_map(|project| &project.runs);
+        let of_project = runs.flat_map(|run| run.files.iter().map(|file| Ok((run.name.as_str(), file.as_path()))));
+        let files: Vec<_> = given.chain(of_project).collect::<Result<_, _>>()?;
+        if files.is_empty() { Err(Refused::NoRuns) } else { Ok(files) }
     }
 
-    fn weights(&self) -> Result<Vec<(&str, f64)>, Refused> {
+    /// The weights given, and the project's of other runs.
+    fn weights<'a>(&'a self, model: &'a Model, project: Option<&'a Project>) -> Result<Vec<(&'a str, f64)>, Refused> {
         let split = |given| pair(given).and_then(|(name, weight)| Some((name, weight.parse().ok()?)));
-        self.weights.iter().map(|given| split(given).ok_or_else(|| Refused::Weight(given.clone()))).collect()
+        let given = self.weights.iter().map(|given| split(given).ok_or_else(|| Refused::Weight(given.clone())));
+        let given: Vec<(&str, f64)> = given.collect::<Result<_, _>>()?;
+        let of_project = project.into_iter().flat_map(|project| &project.runs).flat_map(|own| {
+            let runs = model.runs.iter().filter(|run| is_of(&run.name, &own.name));
+            runs.filter_map(|run| Some((run.name.as_str(), own.weight?)))
+        });
+        let others: Vec<_> = of_project.filter(|(run, _)| given.iter().all(|(name, _)| name != run)).collect();
+        Ok([given, others].concat())
     }
 }
 
+/// Whether a run is that of a name, or one of its three displacements.
+fn is_of(run: &str, name: &str) -> bool {
+    run == name || run.strip_suffix(['x', 'y', 'z']).is_some_and(|r| r.strip_suffix('-') == Some(name))
+}
+
 /// Keeps the runs that were made; with a name that no run has, all, which is told where the files are read.
-fn made(model: &mut Model, given: &[(&str, &str)]) -> Result<(), Refused> {
-    let is = |run: &str, name: &str| {
-        run == name || run.strip_suffix(['x', 'y', 'z']).is_some_and(|r| r.strip_suffix('-') == Some(name))
-    };
-    let of = |name: &str| model.runs.iter().any(|run| is(&run.name, name));
+fn made(model: &mut Model, given: &[(&str, &Path)]) -> Result<(), Refused> {
+    let of = |name: &str| model.runs.iter().any(|run| is_of(&run.name, name));
     if !given.iter().all(|(name, _)| of(name)) {
         return Ok(());
     }
-    let made = |run: &str| given.iter().any(|(name, _)| is(run, name));
+    let made = |run: &str| given.iter().any(|(name, _)| is_of(run, name));
     let (kept, left): (Vec<RunId>, Vec<RunId>) = model.runs.keys().partition(|run| made(&model.runs[*run].name));
     if left.is_empty() {
         return Ok(());

@@ -1,12 +1,14 @@
 //! One module per command, and what they share.
 
 pub mod circular;
+pub mod compare;
 pub mod demo;
 pub mod derive;
 pub mod exechon;
 pub mod fit;
 pub mod models;
 pub mod monte_carlo;
+pub mod new;
 pub mod plan;
 pub mod simulate;
 
@@ -18,6 +20,7 @@ mod pair;
 mod predicted;
 mod refused;
 mod seen;
+pub mod shell;
 mod simulated;
 mod stated;
 

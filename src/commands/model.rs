@@ -6,44 +6,87 @@ use super::pair::pair;
 use clap::Args;
 use std::io::{ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
-use trunnion::data::{Radius, TextError, read_text};
+use trunnion::data::{PROJECT, Project, Radius, TextError, read_text};
 use trunnion::study::{Setup, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::model::Model;
-use trunnion_codegen::problems::{Colour, read_and_derive, render};
+use trunnion_codegen::problems::{Colour, Described, Named};
 
-/// Place and text of a model by its catalogue name or from a file.
-pub fn source(name: &str) -> Result<(String, String), Refused> {
-    Ok(match catalogue::source(name) {
-        Some(source) => (name.to_owned(), source.to_owned()),
-        None => {
-            let path = Path::new(name);
-            let source = read_text(path).map_err(|e| {
-                let names = catalogue::MODELS.iter().map(|(n, _)| *n).collect::<Vec<_>>().join(", ");
-                match e {
-                    TextError::Unreadable(ErrorKind::NotFound) => Refused::NoSuchModel(name.to_owned(), names),
-                    TextError::Unreadable(kind) => Refused::Unreadable(path.to_owned(), kind, names),
-                    other => Refused::Text(path.to_owned(), other),
-                }
-            })?;
-            (path.display().to_string(), source)
-        }
-    })
+/// A description's texts, and the project that names it.
+pub struct Source {
+    /// The texts.
+    pub described: Described,
+    /// The project, if it is one's.
+    pub project: Option<Project>,
 }
 
-/// Reads a model by its catalogue name or from a file.
-pub fn load(name: &str) -> Result<Model, Refused> {
-    let (place, source) = source(name)?;
-    let colour = if std::io::stderr().is_terminal() { Colour::On } else { Colour::Off };
-    let derived = read_and_derive(&source);
-    Ok(derived.map_err(|problems| Refused::Model(render(&place, &source, &problems, colour)))?.0)
+impl Source {
+    /// The files that are read.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        let named = [Some(&self.described.model), self.described.stated.as_ref()];
+        named.into_iter().flatten().map(|text| PathBuf::from(&text.name)).collect()
+    }
+
+    /// The model.
+    pub fn model(&self) -> Result<Model, Refused> {
+        let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        let colour = if std::io::stderr().is_terminal() && !plain { Colour::On } else { Colour::Off };
+        let derived = self.described.derive();
+        Ok(derived.map_err(|problems| Refused::Model(self.described.render(&problems, colour)))?.0)
+    }
+}
+
+/// A model by its catalogue name or from a file, a project by its file or folder; the project of this folder without a name.
+pub fn source(name: Option<&str>) -> Result<Source, Refused> {
+    let Some(name) = name else {
+        let here = Path::new(PROJECT);
+        return if here.exists() { project(PROJECT.to_owned(), text(here)?) } else { Err(Refused::NoModel) };
+    };
+    if let Some(text) = catalogue::source(name) {
+        return Ok(plain(name.to_owned(), text.to_owned()));
+    }
+    let path = match Path::new(name) {
+        folder if folder.is_dir() => folder.join(PROJECT),
+        file => file.to_owned(),
+    };
+    let (text, name) = (text(&path)?, path.display().to_string());
+    if Project::is_one(&text) { project(name, text) } else { Ok(plain(name, text)) }
+}
+
+fn plain(name: String, text: String) -> Source {
+    Source { described: Described { model: Named { name, text }, stated: None }, project: None }
+}
+
+/// A project with the model that it names.
+fn project(name: String, text: String) -> Result<Source, Refused> {
+    let folder = Path::new(&name).parent().unwrap_or(Path::new("")).to_owned();
+    let project = Project::read(&text, &folder).map_err(|e| Refused::Project(PathBuf::from(&name), e))?;
+    let model = match catalogue::source(&project.model) {
+        Some(text) => Named { name: project.model.clone(), text: text.to_owned() },
+        None => {
+            let file = folder.join(&project.model);
+            Named { text: self::text(&file)?, name: file.display().to_string() }
+        }
+    };
+    Ok(Source { described: Described { model, stated: Some(Named { name, text }) }, project: Some(project) })
+}
+
+fn text(file: &Path) -> Result<String, Refused> {
+    read_text(file).map_err(|e| {
+        let names = catalogue::MODELS.iter().map(|(n, _)| *n).collect::<Vec<_>>().join(", ");
+        match e {
+            TextError::Unreadable(ErrorKind::NotFound) => Refused::NoSuchModel(file.display().to_string(), names),
+            TextError::Unreadable(kind) => Refused::Unreadable(file.to_owned(), kind, names),
+            other => Refused::Text(file.to_owned(), other),
+        }
+    })
 }
 
 /// A model and the lengths of its set-up.
 #[derive(Debug, Args)]
 pub struct ModelArguments {
-    /// A name from the catalogue, or a model file.
-    pub model: String,
+    /// A name from the catalogue, a model file, or a project; without it the project of this folder, trunnion.toml.
+    pub model: Option<String>,
     /// Nominal length of the ball-bar, mm; without it the model file's usual one.
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = millimetres)]
     pub radius: Option<f64>,
@@ -53,15 +96,19 @@ pub struct ModelArguments {
 }
 
 impl ModelArguments {
-    /// The files that are read.
-    pub fn inputs(&self) -> Vec<PathBuf> {
-        vec![PathBuf::from(&self.model)]
+    /// What describes the model.
+    pub fn source(&self) -> Result<Source, Refused> {
+        source(self.model.as_deref())
     }
 
-    /// The model with its lengths, after a change.
-    pub fn setup(&self, change: impl FnOnce(&mut Model) -> Result<(), Refused>) -> Result<Setup, Refused> {
+    /// The described model with its lengths, after a change.
+    pub fn setup(
+        &self,
+        source: &Source,
+        change: impl FnOnce(&mut Model) -> Result<(), Refused>,
+    ) -> Result<Setup, Refused> {
         let radius = self.radius.map(Radius::new).transpose()?;
-        let mut model = load(&self.model)?;
+        let mut model = source.model()?;
         change(&mut model)?;
         setup(model, radius, &self.lengths)
     }

@@ -67,6 +67,16 @@ pub fn step(text: &str) -> Result<f64, String> {
     within(text, Some(0.0), 0.0..=360.0, "an angle in degrees")
 }
 
+/// A rate, degrees a minute.
+pub fn rate(text: &str) -> Result<f64, String> {
+    within(text, Some(0.0), 0.0..=36000.0, "degrees a minute")
+}
+
+/// A way beyond an end, degrees.
+pub fn beyond(text: &str) -> Result<f64, String> {
+    within(text, None, 0.0..=180.0, "an angle in degrees")
+}
+
 /// A number of things.
 pub fn count<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
     within(text, None, LEAST..=MOST, "a whole number")

@@ -16,7 +16,7 @@ pub struct Measuring {
     #[arg(long, default_value_t = 360, value_parser = number::count::<2, 100_000>, allow_negative_numbers = true)]
     pub samples: u32,
     /// Half width of the uniform noise of the readings, µm.
-    #[arg(long, default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
+    #[arg(long, value_name = "UM", default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
     pub noise_um: f64,
     /// How the runs are combined.
     #[arg(long, value_enum, default_value_t = Combine::Joint)]

@@ -7,7 +7,8 @@ use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::circular::{CircularError, TraceError};
-use trunnion::data::{ObservationsError, RadiusError, TextError, WriteError};
+use trunnion::data::{ObservationsError, ProjectError, RadiusError, TextError, WriteError};
+use trunnion::history::HistoryError;
 use trunnion::plot::PlotError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
@@ -42,6 +43,22 @@ pub enum Refused {
     Output(#[from] OutputError),
     #[error("no model `{0}` in the catalogue and no such file\n  expected a model file or one of {1}")]
     NoSuchModel(String, String),
+    #[error(
+        "no MODEL, and no trunnion.toml in this folder\n  expected a name from `trunnion models`, a model file, or a project"
+    )]
+    NoModel,
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    Project(PathBuf, ProjectError),
+    #[error("{0} is a project already\n  expected a name from `trunnion models`, or a model file")]
+    IsProject(String),
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    History(PathBuf, HistoryError),
+    #[error("--function {0}: not in the first report\n  expected one of {1}")]
+    NoSuchFunction(String, String),
+    #[error(
+        "no run\n  expected --run NAME=FILE for each run that was made, or [run.NAME] with its files in the project"
+    )]
+    NoRuns,
     #[error("{file}: {problem}\n  expected a model file or one of {names}", file = .0.display(), problem = .1, names = .2)]
     Unreadable(PathBuf, io::ErrorKind, String),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]

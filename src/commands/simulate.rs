@@ -25,9 +25,10 @@ pub struct SimulateArguments {
 impl SimulateArguments {
     /// Draws, measures, writes.
     pub fn run(self) -> Result<(), Refused> {
-        let (setup, simulation) = self.simulation.simulation(&self.model)?;
+        let source = self.model.source()?;
+        let (setup, simulation) = self.simulation.simulation(&self.model, &source)?;
         let simulated = simulation.measure(&setup);
         let files = simulation_files(&setup, &simulation, &simulated, &self.out, Files::default())?;
-        Ok(files.write(&self.out, &Guard { inputs: self.model.inputs(), force: self.force })?)
+        Ok(files.write(&self.out, &Guard { inputs: source.inputs(), force: self.force })?)
     }
 }

@@ -1,8 +1,9 @@
 //! What is simulated, as `simulate` and `monte-carlo` take it.
 
 use super::Refused;
-use super::model::ModelArguments;
+use super::model::{ModelArguments, Source};
 use super::number;
+use super::predicted;
 use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
 use trunnion::data::limits::SAMPLES;
@@ -18,25 +19,32 @@ pub struct SimulationArguments {
     #[arg(long, default_value_t = 360, value_parser = number::count::<1, { SAMPLES as u32 }>, allow_negative_numbers = true)]
     samples: u32,
     /// Half width of the uniform noise of the readings, µm.
-    #[arg(long, default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
+    #[arg(long, value_name = "UM", default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
     noise_um: f64,
     #[command(flatten)]
     limits: LimitArguments,
     #[command(flatten)]
     ranges: RangeArguments,
-    /// First angle of the sweeps, degrees; 0 without it.
-    #[arg(long, value_parser = number::angle, allow_negative_numbers = true)]
+    /// Range of the sweeps, degrees; the last sample is one step before its end. The full turn without it; where an axis has a
+    /// range, runs then go as far as it lets them.
+    #[arg(long, value_name = "A:B", value_parser = predicted::range, allow_hyphen_values = true, conflicts_with_all = ["from_deg", "to_deg"])]
+    range_deg: Option<(f64, f64)>,
+    /// Its beginning alone.
+    #[arg(long, value_name = "DEG", hide = true, value_parser = number::angle, allow_negative_numbers = true)]
     from_deg: Option<f64>,
-    /// End of the range, degrees; the last sample is one step before it. 360 without it; where an axis has a range, runs then
-    /// go as far as it lets them.
-    #[arg(long, value_parser = number::angle, allow_negative_numbers = true)]
+    /// Its end alone.
+    #[arg(long, value_name = "DEG", hide = true, value_parser = number::angle, allow_negative_numbers = true)]
     to_deg: Option<f64>,
 }
 
 impl SimulationArguments {
     /// The model with the ranges of its axes, and what is asked for, where it can be simulated.
-    pub fn simulation(&self, model: &ModelArguments) -> Result<(Setup, Simulation), Refused> {
-        let (from, to) = (self.from_deg.unwrap_or(0.0), self.to_deg.unwrap_or(360.0));
+    pub fn simulation(&self, model: &ModelArguments, source: &Source) -> Result<(Setup, Simulation), Refused> {
+        let given = self.range_deg.or((self.from_deg.is_some() || self.to_deg.is_some()).then(|| {
+            let (from, to) = (self.from_deg, self.to_deg);
+            (from.unwrap_or(0.0), to.unwrap_or(360.0))
+        }));
+        let (from, to) = given.unwrap_or((0.0, 360.0));
         if to <= from {
             return Err(Refused::Option(
                 "to-deg",
@@ -44,7 +52,7 @@ impl SimulationArguments {
                 "not beyond the range's beginning\n  expected an angle beyond --from-deg",
             ));
         }
-        let setup = model.setup(|model| self.ranges.apply(model))?;
+        let setup = model.setup(source, |model| self.ranges.apply(model))?;
         let runs = setup.model.runs.len();
         if self.samples as usize * runs > SAMPLES {
             return Err(Refused::Samples(self.samples, SAMPLES / runs.max(1), runs));
@@ -52,7 +60,7 @@ impl SimulationArguments {
         let (limits, range_deg) = (self.limits.limits(&setup), (from, to));
         let &Self { seed, samples, noise_um, .. } = self;
         let simulation = Simulation { seed, samples: samples as usize, noise_um, limits, range_deg };
-        if self.from_deg.is_some() || self.to_deg.is_some() {
+        if given.is_some() {
             setup.model.runs.keys().try_for_each(|run| setup.reaches(run, simulation.range()))?;
         }
         Ok((setup, simulation))

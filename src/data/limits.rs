@@ -4,10 +4,9 @@
 pub const LINE: usize = 1 << 16;
 /// Lines of a file, comments and empty ones counted.
 pub const LINES: u64 = 20_000_000;
-/// Bytes of a file that can be read only once.
-pub const KEPT: usize = 1 << 26;
-/// Samples of all runs together that are kept in memory: simulated ones, and those of a file that can be read only once, as a
-/// pipe; nodes of a table.
+/// Samples of a file that `fit` keeps, 16 bytes each: a file of more is read again each time, where it can be.
+pub const KEPT: usize = 1_000_000;
+/// Samples of all runs together that are kept with all that belongs to them: simulated ones; nodes of a table.
 pub const SAMPLES: usize = 300_000;
 /// Touches of a ring: the search for its minimum zone takes their number's third power.
 pub const TOUCHES: usize = 1_000;

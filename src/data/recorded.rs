@@ -1,15 +1,12 @@
-//! A run's file that is gone through again and again instead of being kept.
+//! A run's file that was found good, to be gone through again and again.
 
 use super::error::{FileError, FileProblem};
 use super::known::KnownAlong;
 use super::limits::{KEPT, SAMPLES};
-use super::lines::{Lines, source};
+use super::lines::Lines;
 use super::sweep::{RunColumns, check};
 use crate::study::{Recording, Sample, Setup, Weighed};
-use std::cell::RefCell;
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::Headings;
 
@@ -18,6 +15,7 @@ pub struct Recorded<'a> {
     setup: &'a Setup,
     run: RunId,
     weight: f64,
+    file: PathBuf,
     columns: RunColumns<'a>,
     contents: Contents,
     known: KnownAlong,
@@ -25,68 +23,29 @@ pub struct Recorded<'a> {
     samples: usize,
 }
 
-/// Where the lines come from each time.
-#[derive(Clone)]
+/// What is gone through.
 enum Contents {
-    File(PathBuf),
-    /// What can be read only once, and was.
-    Kept(PathBuf, Rc<RefCell<Vec<u8>>>),
+    /// The samples' sweeps and readings.
+    Kept(Vec<[f64; 2]>),
+    /// More than are kept: the file is read again.
+    File,
 }
 
 impl Contents {
-    fn of(file: &Path) -> Self {
-        // A pipe, a device, standard input: there is no second time.
-        match file.metadata() {
-            Ok(metadata) if metadata.is_file() && file.to_str() != Some("-") => Self::File(file.to_owned()),
-            _ => Self::Kept(file.to_owned(), Rc::default()),
-        }
-    }
-
-    fn file(&self) -> &Path {
+    fn add(&mut self, sample: [f64; 2]) {
         match self {
-            Self::File(file) | Self::Kept(file, _) => file,
-        }
-    }
-
-    /// Samples that can be gone through.
-    fn most(&self) -> usize {
-        match self {
-            Self::File(_) => usize::MAX,
-            Self::Kept(..) => SAMPLES,
-        }
-    }
-
-    /// The first time.
-    fn first(&self) -> io::Result<Box<dyn Read>> {
-        match self {
-            Self::File(file) => source(file),
-            Self::Kept(file, bytes) => Ok(Box::new(Keeping { source: source(file)?, bytes: Rc::clone(bytes) })),
-        }
-    }
-
-    fn again(&self) -> io::Result<Box<dyn Read>> {
-        match self {
-            Self::File(file) => source(file),
-            Self::Kept(_, bytes) => Ok(Box::new(io::Cursor::new(bytes.borrow().clone()))),
+            Self::Kept(samples) if samples.len() < KEPT => samples.push(sample),
+            Self::Kept(_) => *self = Self::File,
+            Self::File => {}
         }
     }
 }
 
-/// Keeps what it reads.
-struct Keeping {
-    source: Box<dyn Read>,
-    bytes: Rc<RefCell<Vec<u8>>>,
-}
-
-impl Read for Keeping {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let read = self.source.read(buffer)?;
-        let mut bytes = self.bytes.borrow_mut();
-        if bytes.len() + read > KEPT {
-            return Err(io::ErrorKind::FileTooLarge.into());
-        }
-        bytes.extend_from_slice(&buffer[..read]);
-        Ok(read)
+/// Samples that a file may have: as many as are kept where there is no second time, as of a pipe, a device, standard input.
+fn most(file: &Path) -> usize {
+    match file.metadata() {
+        Ok(metadata) if metadata.is_file() && file.to_str() != Some("-") => usize::MAX,
+        _ => KEPT,
     }
 }
 
@@ -99,10 +58,11 @@ impl<'a> Recorded<'a> {
         columns: RunColumns<'a>,
         known: KnownAlong,
     ) -> Result<Self, FileError> {
-        let contents = Contents::of(file);
-        let lines = Lines::from(file, contents.first(), &columns.wanted())?;
+        let lines = Lines::open(file, &columns.wanted())?;
+        let mut contents = Contents::Kept(Vec::new());
         let (mut headings, mut outside, mut samples) = (Headings::default(), Vec::new(), 0);
-        check(lines, &columns, contents.most(), |sample| {
+        check(lines, &columns, most(file), |sample| {
+            contents.add([sample.angle_rad, sample.reading_mm]);
             headings.add(sample.angle_rad);
             if !known.covers(sample.angle_rad) && outside.len() < SAMPLES {
                 outside.push((sample.line, sample.angle_rad));
@@ -111,7 +71,9 @@ impl<'a> Recorded<'a> {
         })?;
         match known.outside(outside) {
             Some(problem) => Err(FileError { file: file.to_owned(), problem }),
-            None => Ok(Self { setup, run, weight: 1.0, columns, contents, known, headings, samples }),
+            None => {
+                Ok(Self { setup, run, weight: 1.0, file: file.to_owned(), columns, contents, known, headings, samples })
+            }
         }
     }
 
@@ -147,18 +109,25 @@ impl Recording for Recorded<'_> {
         let mut heading = self.headings.start();
         let mut sample =
             Sample { sweep: 0.0, direction: 0.0, reading: 0.0, known: vec![0.0; known], known_std: vec![0.0; known] };
-        let mut samples = 0;
-        for line in Lines::from(self.contents.file(), self.contents.again(), &self.columns.wanted())? {
-            let Some(read) = RunColumns::sample(&line?) else { continue };
-            (sample.sweep, sample.reading) = (read.angle_rad, read.reading_mm);
-            sample.direction = heading.at(read.angle_rad);
-            self.known.write(read.angle_rad, &mut sample);
+        let mut take = |[sweep, reading]: [f64; 2]| {
+            (sample.sweep, sample.reading) = (sweep, reading);
+            sample.direction = heading.at(sweep);
+            self.known.write(sweep, &mut sample);
             each(&sample);
+        };
+        if let Contents::Kept(kept) = &self.contents {
+            kept.iter().copied().for_each(take);
+            return Ok(());
+        }
+        let mut samples = 0;
+        for line in Lines::open(&self.file, &self.columns.wanted())? {
+            let Some(read) = RunColumns::sample(&line?) else { continue };
+            take([read.angle_rad, read.reading_mm]);
             samples += 1;
         }
         match samples == self.samples {
             true => Ok(()),
-            false => Err(FileError { file: self.contents.file().to_owned(), problem: FileProblem::Changed }),
+            false => Err(FileError { file: self.file.clone(), problem: FileProblem::Changed }),
         }
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use thiserror::Error;
 
-use super::limits::TEXT;
+use super::limits::{RESULT, TEXT};
 
 /// Why a file is no text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -15,9 +15,9 @@ pub enum TextError {
     /// The operating system refuses.
     #[error("cannot be read: {0}")]
     Unreadable(io::ErrorKind),
-    /// More than [`TEXT`] bytes.
-    #[error("more than {TEXT} bytes\n  expected a text that a person wrote: is this the right file?")]
-    TooLong,
+    /// More than so many bytes.
+    #[error("more than {0} bytes\n  expected a text of that size at most: is this the right file?")]
+    TooLong(u64),
     /// An encoding that is not read, with the line of the first character that is not ASCII.
     #[error("line {line}: not UTF-8 text but {encoding}\n  save the file as plain text in UTF-8")]
     Encoding {
@@ -50,16 +50,28 @@ impl Encoding {
     }
 }
 
+/// Reads a text that a program wrote, as [`read_text`]; at most [`RESULT`] bytes.
+///
+/// # Errors
+/// [`TextError`]
+pub fn read_document(file: &Path) -> Result<String, TextError> {
+    read(file, RESULT)
+}
+
 /// Reads a text file; a byte order mark and Windows line ends are none of its text.
 ///
 /// # Errors
 /// [`TextError`]
 pub fn read_text(file: &Path) -> Result<String, TextError> {
+    read(file, TEXT as u64)
+}
+
+fn read(file: &Path, most: u64) -> Result<String, TextError> {
     let mut bytes = Vec::new();
-    let read = File::open(file).and_then(|file| file.take(TEXT as u64 + 1).read_to_end(&mut bytes));
+    let read = File::open(file).and_then(|file| file.take(most + 1).read_to_end(&mut bytes));
     read.map_err(|e| TextError::Unreadable(e.kind()))?;
-    if bytes.len() > TEXT {
-        return Err(TextError::TooLong);
+    if bytes.len() as u64 > most {
+        return Err(TextError::TooLong(most));
     }
     if let Some(encoding) = Encoding::of(&bytes) {
         let good = str::from_utf8(&bytes).map_or_else(|e| e.valid_up_to(), |_| 0);

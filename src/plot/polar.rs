@@ -95,7 +95,9 @@ impl PolarChart {
             closed.iter().try_for_each(|series| draw_mark(canvas, series, |point| dial.at(point)))?;
             scale(canvas, &dial, &closed)?;
             let Scale { label, unit } = &self.deviation;
-            let division = format!("{label}: {} {} a division", dial.ticks.label(dial.ticks.step()), unit.symbol());
+            let step = dial.ticks.label(dial.ticks.step());
+            let unit = unit.map_or_else(String::new, |unit| format!(" {}", unit.symbol()));
+            let division = format!("{label}: {step}{unit} a division");
             canvas.text(&division, (SIZE / 2.0, height - 14.0), TEXT, Anchor::Centre)
         })
     }

@@ -31,18 +31,26 @@ pub enum PlotError {
 pub struct Scale {
     /// What it shows.
     pub label: String,
-    /// Its unit; an axis in degrees has ticks at parts of a turn.
-    pub unit: Unit,
+    /// Its unit, if it has one; an axis in degrees has ticks at parts of a turn.
+    pub unit: Option<Unit>,
 }
 
 impl Scale {
     /// An axis.
     pub fn new(label: &str, unit: Unit) -> Self {
-        Self { label: label.to_owned(), unit }
+        Self { label: label.to_owned(), unit: Some(unit) }
+    }
+
+    /// An axis without a unit.
+    pub fn plain(label: &str) -> Self {
+        Self { label: label.to_owned(), unit: None }
     }
 
     pub(crate) fn title(&self) -> String {
-        format!("{} / {}", self.label, self.unit.symbol())
+        match self.unit {
+            Some(unit) => format!("{} / {}", self.label, unit.symbol()),
+            None => self.label.clone(),
+        }
     }
 }
 

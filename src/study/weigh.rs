@@ -7,7 +7,7 @@ use thiserror::Error;
 use trunnion_codegen::ids::RunId;
 
 /// Weights beyond this, or below its inverse, leave one of the runs without a say in double precision.
-const MOST: f64 = 1e9;
+pub const MOST_WEIGHT: f64 = 1e9;
 
 /// Why a run cannot have a weight.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -53,7 +53,7 @@ pub fn weigh<W: Weighed>(setup: &Setup, runs: &mut [W], weights: &[(&str, f64)])
             let runs = setup.model.runs.iter().map(|run| run.name.clone()).collect();
             return Err(WeightError::UnknownRun { run: name.to_owned(), runs });
         };
-        if !(1.0 / MOST..=MOST).contains(&weight) {
+        if !(1.0 / MOST_WEIGHT..=MOST_WEIGHT).contains(&weight) {
             return Err(WeightError::OutOfRange(name.to_owned(), weight));
         }
         if weighed.contains(&run) {

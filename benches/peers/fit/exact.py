@@ -30,7 +30,7 @@ def solve(rows, y):
 
 
 def reading(a, run):
-    return 0.01 * math.sin(run * a) + 1e-4 * math.sin(997.0 * a * run) + 1e-7 * a * (a - 2 * math.pi)
+    return 0.004 * math.exp(math.sin(a + run)) + 1e-4 * math.sin(997.0 * a * run) + 1e-7 * a * (a - 2 * math.pi)
 
 
 def paper(samples):

@@ -27,16 +27,18 @@ solvers() {
         exact=$work/$samples
         if [[ $samples -le 36000 ]]; then "$python" exact.py paper "$samples" >"$exact"; else printf 'nan\n%.0s' {1..13} >"$exact"; fi
         { one "$binary" solve "$samples" "$exact"; one "$python" numpy_scipy.py "$samples" "$exact"; } | sed 's/nan/–/I' |
-            awk -F, -v n="$samples" 'NR == 1 { base = $2 } { printf "| %s | %d | %.1f | %.2f | %s |\n", $1, n, $2, $2 / base, $3 }'
+            awk -F';' -v n="$samples" 'NR == 1 { base = $2 } { printf "| %s | %d | %.1f | %.2f | %s |\n", $1, n, $2, $2 / base, $3 }'
     done
 }
 
 # Wall time (the median of five) and peak memory of a command.
 measured() {
+    local start
     for _ in 1 2 3 4 5; do
-        one /usr/bin/time -f '%e %M' -o "$work/time" "$@" >/dev/null 2>&1
-        cat "$work/time"
-    done | sort -n | awk '{ wall[NR] = $1; if ($2 > memory) memory = $2 } END { printf "%.2f s, %.0f MB", wall[3], memory / 1024 }'
+        start=${EPOCHREALTIME/./}
+        one /usr/bin/time -f '%M' -o "$work/memory" "$@" >/dev/null 2>&1
+        echo "$(("${EPOCHREALTIME/./}" - start)) $(tail -n1 "$work/memory")"
+    done | sort -n | awk '{ wall[NR] = $1; if ($2 > memory) memory = $2 } END { printf "%.3f s, %.0f MB", wall[3] / 1e6, memory / 1024 }'
 }
 
 files() {
@@ -64,10 +66,29 @@ command() {
     done
 }
 
+# Microseconds a trial: what more trials take, over how many more they are.
+apart() {
+    local more=$1 few many
+    shift
+    few=$(measured "${monte_carlo[@]}" "$@" --trials 1000) many=$(measured "${monte_carlo[@]}" "$@" --trials $((more + 1000)))
+    awk -v few="${few%% *}" -v many="${many%% *}" -v more="$more" 'BEGIN { printf "%.1f", (many - few) / more * 1e6 }'
+}
+
+trials() {
+    monte_carlo=("$trunnion" monte-carlo tilting-table-a --radius 150 --samples 360 --estimator two-step)
+    echo "| a trial of 2 × 360 readings | µs |"
+    echo "|---|---:|"
+    echo "| \`trunnion monte-carlo --noise-alone\` | $(apart 99000 --noise-alone) |"
+    echo "| \`trunnion monte-carlo\`, a machine drawn anew, exact lengths | $(apart 9000) |"
+    one "$python" monte_carlo.py
+}
+
 {
     solvers
     echo
     command
+    echo
+    trials
     echo
     echo "| unknowns | blocked, ns a row | nalgebra's QR |"
     echo "|---:|---:|---:|"

@@ -12,15 +12,18 @@ use toml::de::{DeTable, DeValue};
 
 /// Reads a model file; all problems are reported together, in the order of their places.
 pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
-    let table = table(source)?;
-    let mut reader = Reader { problems: Vec::new() };
-    let draft = reader.draft(table.get_ref());
+    read_stated(source, None)
+}
+
+/// Reads a model file with what a second text states [over it](super::STATED); its places are behind the first one's, after a
+/// byte between them.
+pub fn read_stated(source: &str, stated: Option<&str>) -> Result<Model, Vec<Problem>> {
+    let (draft, mut problems) = parts(source, stated)?;
     // Of what is too much, everything else may be wrong as well.
     let excess = excess(&draft);
     if !excess.is_empty() {
         return Err(excess);
     }
-    let mut problems = reader.problems;
     let built = draft.build();
     if problems.is_empty() {
         return built;
@@ -34,16 +37,33 @@ pub fn read(source: &str) -> Result<Model, Vec<Problem>> {
 
 /// Reads a model file without resolving what it says; problems of its form alone.
 pub fn read_draft(source: &str) -> Result<Draft, Vec<Problem>> {
-    let table = table(source)?;
+    read_draft_stated(source, None)
+}
+
+/// As [`read_draft`], with what a second text states over it.
+pub fn read_draft_stated(source: &str, stated: Option<&str>) -> Result<Draft, Vec<Problem>> {
+    let (draft, problems) = parts(source, stated)?;
+    if problems.is_empty() { Ok(draft) } else { Err(problems) }
+}
+
+fn parts(source: &str, stated: Option<&str>) -> Result<(Draft, Vec<Problem>), Vec<Problem>> {
     let mut reader = Reader { problems: Vec::new() };
-    let draft = reader.draft(table.get_ref());
-    if reader.problems.is_empty() { Ok(draft) } else { Err(reader.problems) }
+    let mut draft = reader.draft(table(source)?.get_ref());
+    if let Some(stated) = stated {
+        let behind = "\n".repeat(source.len() + 1) + stated;
+        reader.state(&mut draft, parsed(&behind)?.get_ref());
+    }
+    Ok((draft, reader.problems))
 }
 
 fn table(source: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {
     if source.len() > FILE {
         return Err(vec![Problem { span: 0..0, kind: ProblemKind::TooMany("bytes in a model file", FILE) }]);
     }
+    parsed(source)
+}
+
+fn parsed(source: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {
     DeTable::parse(source).map_err(|e| {
         let span = e.span().unwrap_or(0..0);
         vec![Problem { span, kind: ProblemKind::Toml(e.message().to_owned()) }]
@@ -80,12 +100,12 @@ const READINGS: &str = "a reading: a bar's length such as \"R\", or { displaceme
 
 type Entry<'a> = (&'a Spanned<std::borrow::Cow<'a, str>>, &'a Spanned<DeValue<'a>>);
 
-struct Reader {
+pub(super) struct Reader {
     problems: Vec<Problem>,
 }
 
 impl Reader {
-    fn problem<T: Default>(&mut self, span: Span, kind: ProblemKind) -> T {
+    pub(super) fn problem<T: Default>(&mut self, span: Span, kind: ProblemKind) -> T {
         self.problems.push(Problem { span, kind });
         T::default()
     }
@@ -106,18 +126,14 @@ impl Reader {
         for (name, value) in self.tables(table, "axis") {
             draft.axes.extend(self.table(value).and_then(|axis| self.axis(text_of(name), axis)));
         }
-        for (iso, value) in self.tables(table, "names") {
-            draft.names.extend(self.text(value).map(|own| (text_of(iso), own)));
-        }
+        draft.names = self.texts(table, "names");
         for (name, value) in self.tables(table, "run") {
             draft.runs.extend(self.table(value).map(|run| self.run(text_of(name), run)));
         }
-        for (parameter, value) in self.tables(table, "assume") {
-            draft.assume.extend(self.text(value).map(|is| (text_of(parameter), is)));
-        }
+        draft.assume = self.texts(table, "assume");
         draft.lengths = self.numbers(table, "lengths");
         draft.limits = self.numbers(table, "limits");
-        draft.instrument = table.get("instrument").and_then(|value| self.table(value)).map(|t| self.instrument(t));
+        draft.instrument = self.table_at(table, "instrument").map(|table| self.instrument(table));
         for (error, value) in self.tables(table, "function") {
             let basis = self.basis(value);
             draft.functions.extend(basis.map(|basis| DraftFunction { error: text_of(error), basis }));
@@ -141,7 +157,7 @@ impl Reader {
         Some(DraftAxis { name, kind, direction, location: self.list(table, "location"), range })
     }
 
-    fn instrument(&mut self, table: &DeTable) -> DraftInstrument {
+    pub(super) fn instrument(&mut self, table: &DeTable) -> DraftInstrument {
         self.known_keys(table, INSTRUMENT);
         let values = table.iter().filter(|(key, _)| key.get_ref().as_ref() != "preset");
         let values = values.filter_map(|(key, value)| Some(Number { name: text_of(key), value: self.float(value)? }));
@@ -149,7 +165,7 @@ impl Reader {
     }
 
     /// Two numbers, the lower first.
-    fn range(&mut self, value: &Spanned<DeValue>) -> Option<[f64; 2]> {
+    pub(super) fn range(&mut self, value: &Spanned<DeValue>) -> Option<[f64; 2]> {
         let ends: Vec<f64> = match value.get_ref() {
             DeValue::Array(items) => items.iter().filter_map(|item| number(item.get_ref())).collect(),
             _ => Vec::new(),
@@ -160,12 +176,17 @@ impl Reader {
         }
     }
 
-    fn numbers(&mut self, table: &DeTable, key: &str) -> Vec<Number> {
+    pub(super) fn numbers(&mut self, table: &DeTable, key: &str) -> Vec<Number> {
         let entries = self.tables(table, key);
         entries
             .into_iter()
             .filter_map(|(name, value)| Some(Number { name: text_of(name), value: self.float(value)? }))
             .collect()
+    }
+
+    pub(super) fn texts(&mut self, table: &DeTable, key: &str) -> Vec<(Text, Text)> {
+        let entries = self.tables(table, key);
+        entries.into_iter().filter_map(|(name, value)| Some((text_of(name), self.text(value)?))).collect()
     }
 
     fn float(&mut self, value: &Spanned<DeValue>) -> Option<f64> {
@@ -174,11 +195,7 @@ impl Reader {
 
     fn run(&mut self, name: Text, table: &DeTable) -> DraftRun {
         self.known_keys(table, RUN);
-        let mut pairs = |key: &str| {
-            let entries = self.tables(table, key);
-            entries.into_iter().filter_map(|(name, value)| Some((text_of(name), self.text(value)?))).collect()
-        };
-        let (define, at) = (pairs("define"), pairs("at"));
+        let (define, at) = (self.texts(table, "define"), self.texts(table, "at"));
         DraftRun {
             sweep: self.required(table, "sweep", name.span.clone()),
             define,
@@ -212,7 +229,7 @@ impl Reader {
     }
 
     fn ball(&mut self, table: &DeTable, key: &str) -> DraftBall {
-        let Some(ball) = table.get(key).and_then(|value| self.table(value)) else { return DraftBall::default() };
+        let Some(ball) = self.table_at(table, key) else { return DraftBall::default() };
         self.known_keys(ball, BALL);
         DraftBall { at: self.list(ball, "at"), setup: self.list(ball, "setup") }
     }
@@ -239,7 +256,7 @@ impl Reader {
         }
     }
 
-    fn known_keys(&mut self, table: &DeTable, known: &'static [&'static str]) {
+    pub(super) fn known_keys(&mut self, table: &DeTable, known: &'static [&'static str]) {
         for (key, _) in table.iter().filter(|(key, _)| !known.contains(&key.get_ref().as_ref())) {
             self.problem::<()>(key.span(), ProblemKind::UnknownKey(key.get_ref().to_string(), known));
         }
@@ -264,12 +281,16 @@ impl Reader {
         }
     }
 
-    fn tables<'a>(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<Entry<'a>> {
+    pub(super) fn tables<'a>(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<Entry<'a>> {
         let Some(value) = table.get(key) else { return Vec::new() };
         self.table(value).map(|t| t.iter().collect()).unwrap_or_default()
     }
 
-    fn table<'a>(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<&'a DeTable<'a>> {
+    pub(super) fn table_at<'a>(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
+        table.get(key).and_then(|value| self.table(value))
+    }
+
+    pub(super) fn table<'a>(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<&'a DeTable<'a>> {
         match value.get_ref() {
             DeValue::Table(table) => Some(table),
             _ => self.problem(value.span(), ProblemKind::Type("a table")),
@@ -301,6 +322,6 @@ fn number(value: &DeValue) -> Option<f64> {
     }
 }
 
-fn text_of(key: &Spanned<std::borrow::Cow<str>>) -> Text {
+pub(super) fn text_of(key: &Spanned<std::borrow::Cow<str>>) -> Text {
     Text { value: key.get_ref().to_string(), span: key.span() }
 }

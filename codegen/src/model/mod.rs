@@ -14,6 +14,7 @@ mod problem;
 mod reference;
 mod resolve;
 mod size;
+mod stated;
 mod unknown;
 mod written;
 
@@ -24,11 +25,13 @@ pub use description::{
 pub use draft::{
     Draft, DraftAxis, DraftBall, DraftBasis, DraftFunction, DraftInstrument, DraftReading, DraftRun, Number,
 };
-pub use file::{read, read_draft};
+pub use file::{read, read_draft, read_draft_stated, read_stated};
 pub use prior::{Assumption, Limits, StatedInstrument};
 pub use problem::{Problem, ProblemKind};
+pub use stated::STATED;
 
 pub use unknown::{Coefficient, Origin};
+pub use written::{key, string};
 
 pub use crate::expression::{
     EvaluationError, Expected, Expr, ExprKind, Meaning, Operator, Scope, SyntaxError, parse, parse_equation,

@@ -43,12 +43,13 @@ fn list(texts: &[Text]) -> String {
     format!("[{}]", texts.iter().map(|t| string(&t.value)).collect::<Vec<_>>().join(", "))
 }
 
-fn string(text: &str) -> String {
-    // No name and no expression has control characters.
+/// A text as a TOML string; no name and no expression has control characters.
+pub fn string(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
-fn key(name: &str) -> String {
+/// A name as a TOML key.
+pub fn key(name: &str) -> String {
     let bare = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
     if bare { name.to_owned() } else { string(name) }
 }

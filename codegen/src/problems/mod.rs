@@ -3,9 +3,11 @@
 //! A description is refused either by itself ([`Draft::build`](crate::model::Draft::build)) or by what follows from it,
 //! when a run has no reading or sees an error of which nothing is assumed ([`derivation`]).
 
+mod described;
 mod render;
 
 pub use crate::source::{shown, visible};
+pub use described::{Described, Named};
 pub use render::{Colour, render};
 
 use crate::algebra::Alphabet;

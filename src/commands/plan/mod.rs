@@ -8,7 +8,7 @@ mod text;
 use self::designed::Wanted;
 use self::found::Found;
 use super::Refused;
-use super::model::{lengths, load, others, source};
+use super::model::{lengths, others, source};
 use super::number;
 use super::output::print;
 use super::predicted::{self, Measuring};
@@ -21,14 +21,14 @@ use trunnion::study::plan::{Comparison, additions, compare};
 use trunnion::study::{Instrument, SetupError};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::equations;
-use trunnion_codegen::model::{Model, read_draft};
+use trunnion_codegen::model::Model;
 use trunnion_codegen::problems::derivation;
 
 /// Arguments of `plan`.
 #[derive(Debug, Args)]
 pub struct PlanArguments {
-    /// A name from the catalogue, or a model file.
-    model: String,
+    /// A name from the catalogue, a model file, or a project; without it the project of this folder, trunnion.toml.
+    model: Option<String>,
     /// Nominal lengths of the ball-bar to compare, mm, joined by commas or one at a time; 100, 150 and 300 if none is given.
     #[arg(long, value_name = "MM", value_delimiter = ',', allow_negative_numbers = true)]
     radius: Vec<f64>,
@@ -69,11 +69,11 @@ const RANGES: [(f64, f64); 3] = [(0.0, 360.0), (-20.0, 200.0), (-90.0, 90.0)];
 impl PlanArguments {
     /// Compares, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let mut model = load(&self.model)?;
+        let source = source(self.model.as_deref())?;
+        let mut model = source.model()?;
         self.ranges.apply(&mut model)?;
-        let (_, text_of_model) = source(&self.model)?;
         // The model has just been read, so its draft can be.
-        let mut draft = read_draft(&text_of_model).unwrap_or_default();
+        let mut draft = source.described.draft().unwrap_or_default();
         if !self.functions.is_empty() {
             if let Some(second) = self.radius.get(1) {
                 let told = "of no use with --for\n  expected one length of the bar";

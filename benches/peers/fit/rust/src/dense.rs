@@ -8,7 +8,7 @@ pub const RADIUS: f64 = 150.0;
 
 /// Readings with something to find in them, and a disturbance.
 fn reading(a: f64, run: f64) -> f64 {
-    0.01 * (run * a).sin() + 1e-4 * (997.0 * a * run).sin() + 1e-7 * a * (a - TAU)
+    0.004 * (a + run).sin().exp() + 1e-4 * (997.0 * a * run).sin() + 1e-7 * a * (a - TAU)
 }
 
 /// Angles of a turn, and what both runs read there.

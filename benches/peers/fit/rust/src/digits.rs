@@ -38,6 +38,11 @@ pub fn run(directory: &str) {
         }
         let blocked = problem.solve(Some(1.0)).map(|s| s.coefficients.as_slice().to_vec()).unwrap_or_default();
         let name = file.file_stem().and_then(|n| n.to_str()).unwrap_or_default().to_owned();
-        println!("{name},{:.1},{:.1},{:.1}", digits(&blocked, &exact), digits(qr.as_slice(), &exact), set["numpy"].as_f64().expect("a number"));
+        println!(
+            "{name},{:.1},{:.1},{:.1}",
+            digits(&blocked, &exact),
+            digits(qr.as_slice(), &exact),
+            set["numpy"].as_f64().expect("a number")
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Growth with the number of unknowns, rows at hand: the blocked factor beside a decomposition of the whole matrix.
 
-use crate::time;
 use crate::dense::solve;
+use crate::time;
 use nalgebra::{DMatrix, DVector};
 use trunnion_solver::lstsq::Step;
 use trunnion_solver::sized::{Block, Columns, ROWS, estimator};

@@ -18,9 +18,11 @@ pub fn run(samples: usize, exact: &str) {
     let exact: Vec<f64> =
         fs::read_to_string(exact).expect("a file").split_whitespace().map(|v| v.parse().expect("a number")).collect();
     let (angles, readings) = dense::data(samples);
-    let show = |name: &str, ns: f64, error: f64| println!("{name},{:.1},{error:.1e}", ns / samples as f64);
+    let show = |name: &str, ns: f64, error: f64| println!("{name};{:.1};{error:.1e}", ns / samples as f64);
 
-    let qr = time(|| drop(dense::two_steps(&angles, &readings)));
+    let qr = time(|| {
+        std::hint::black_box(dense::two_steps(&angles, &readings));
+    });
     show("nalgebra, QR", qr, error(&dense::two_steps(&angles, &readings), &exact));
 
     let model = Model::new();
@@ -47,7 +49,11 @@ pub fn run(samples: usize, exact: &str) {
         })
         .collect();
     let fit = || study::fit(&setup, &observations, Estimator::TwoStep).expect("a whole turn").values;
-    show("Trunnion, `study::fit`: blocked, and a look at the residuals", time(|| drop(fit())), error(fit().as_slice(), &exact));
+    show(
+        "Trunnion, `study::fit`: blocked, and a look at the residuals",
+        time(|| drop(fit())),
+        error(fit().as_slice(), &exact),
+    );
 
     macro_rules! stream {
         ($name:literal, $estimator:ident, $t:ty, $compared:expr) => {{

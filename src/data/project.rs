@@ -1,0 +1,223 @@
+//! The project file, `trunnion.toml`: a measurement of a machine, with all that a command would otherwise be told by options.
+//!
+//! What it states of the machine and the instrument (`[lengths]`, `[limits]`, `[instrument]`, `[assume]`, `[axis.A] range`) is put
+//! over the model file's own, which reads it ([`Described`](trunnion_codegen::problems::Described)); here is the rest.
+
+use crate::study::{Estimator, MOST_WEIGHT};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+use toml::Spanned;
+
+/// Its name in a folder.
+pub const PROJECT: &str = "trunnion.toml";
+
+/// What a project file says of files, and how they are fitted. Paths are resolved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Project {
+    /// A name of the catalogue, or a file.
+    pub model: String,
+    /// What is told of the machine at hand.
+    pub machine: MachineAtHand,
+    /// How the runs are combined.
+    pub estimator: Option<Estimator>,
+    /// Whether readings far off the others are weighed down.
+    pub robust: bool,
+    /// The known functions.
+    pub table: Option<PathBuf>,
+    /// The runs that were made, by their names.
+    pub runs: Vec<ProjectRun>,
+}
+
+/// The machine that was measured, as a report names it.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MachineAtHand {
+    /// Its name.
+    pub name: Option<String>,
+    /// Its serial number.
+    pub serial: Option<String>,
+    /// Who measured.
+    pub operator: Option<String>,
+    /// When it was measured, as it stands.
+    pub date: Option<String>,
+    /// Anything else.
+    pub note: Option<String>,
+}
+
+/// A run that was made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProjectRun {
+    /// Its name in the model.
+    pub name: String,
+    /// A file for each time that it was made.
+    pub files: Vec<PathBuf>,
+    /// The weight of its samples.
+    pub weight: Option<f64>,
+}
+
+/// What is wrong with a project file, without its name.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ProjectError {
+    /// Not TOML, or not these keys.
+    #[error("line {line}: {message}\n  expected the keys that `trunnion new` writes")]
+    Format {
+        /// Counted from 1.
+        line: usize,
+        /// What the reader says.
+        message: String,
+    },
+    /// A weight that no run has.
+    #[error("line {line}: weight = {weight:?} is out of range\n  expected a number from 1e-9 to 1e9")]
+    Weight {
+        /// Counted from 1.
+        line: usize,
+        /// The weight.
+        weight: f64,
+    },
+    /// A run of no files.
+    #[error("line {line}: no file\n  expected files = [\"run.csv\"], or no [run.…] where the run was not made")]
+    NoFile {
+        /// Counted from 1.
+        line: usize,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    model: String,
+    #[serde(default)]
+    machine: MachineAtHand,
+    #[serde(default)]
+    fit: Fit,
+    #[serde(default)]
+    run: BTreeMap<String, Run>,
+    // Read with the model.
+    #[serde(rename = "lengths")]
+    _lengths: Option<IgnoredAny>,
+    #[serde(rename = "limits")]
+    _limits: Option<IgnoredAny>,
+    #[serde(rename = "instrument")]
+    _instrument: Option<IgnoredAny>,
+    #[serde(rename = "assume")]
+    _assume: Option<IgnoredAny>,
+    #[serde(rename = "axis")]
+    _axis: Option<IgnoredAny>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Fit {
+    estimator: Option<Combine>,
+    robust: Option<Robust>,
+    table: Option<PathBuf>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Combine {
+    Joint,
+    TwoStep,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Robust {
+    Huber,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Run {
+    files: Spanned<Vec<PathBuf>>,
+    weight: Option<Spanned<f64>>,
+}
+
+impl Project {
+    /// Whether a text is a project's: TOML that names its model. A model file names itself.
+    pub fn is_one(text: &str) -> bool {
+        #[derive(Deserialize)]
+        struct Named {
+            model: Option<IgnoredAny>,
+        }
+        toml::from_str::<Named>(text).is_ok_and(|file| file.model.is_some())
+    }
+
+    /// Reads a project file's text; `folder` is where it lies.
+    ///
+    /// # Errors
+    /// [`ProjectError`]
+    pub fn read(text: &str, folder: &Path) -> Result<Self, ProjectError> {
+        let line = |at: usize| 1 + text.get(..at).unwrap_or(text).matches('\n').count();
+        let file: File = toml::from_str(text).map_err(|e| {
+            let line = line(e.span().map_or(0, |span| span.start));
+            ProjectError::Format { line, message: e.message().lines().collect::<Vec<_>>().join(", ") }
+        })?;
+        let run = |(name, run): (String, Run)| {
+            if run.files.get_ref().is_empty() {
+                return Err(ProjectError::NoFile { line: line(run.files.span().start) });
+            }
+            let weight = run.weight.map(|weight| {
+                let (at, weight) = (weight.span().start, weight.into_inner());
+                let within = (1.0 / MOST_WEIGHT..=MOST_WEIGHT).contains(&weight);
+                if within { Ok(weight) } else { Err(ProjectError::Weight { line: line(at), weight }) }
+            });
+            let files = run.files.into_inner().into_iter().map(|file| folder.join(file)).collect();
+            Ok(ProjectRun { name, files, weight: weight.transpose()? })
+        };
+        Ok(Self {
+            model: file.model,
+            machine: file.machine,
+            estimator: file.fit.estimator.map(|estimator| match estimator {
+                Combine::Joint => Estimator::Joint,
+                Combine::TwoStep => Estimator::TwoStep,
+            }),
+            robust: matches!(file.fit.robust, Some(Robust::Huber)),
+            table: file.fit.table.map(|table| folder.join(table)),
+            runs: file.run.into_iter().map(run).collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Project, ProjectError> {
+        Project::read(text, Path::new("a folder"))
+    }
+
+    #[test]
+    fn a_project_names_its_model_and_its_files() {
+        let text = "model = \"m\"\n[machine]\nserial = \"7\"\n[fit]\nestimator = \"two-step\"\nrobust = \"huber\"\ntable = \"t.csv\"\n\
+            [run.tilting]\nfiles = [\"a.csv\", \"b.csv\"]\nweight = 2\n[axis.A]\nrange = [0, 1]\n[lengths]\nR_mm = 3\n";
+        assert!(Project::is_one(text) && !Project::is_one("name = \"m\""));
+        let project = read(text).unwrap();
+        assert_eq!((project.model.as_str(), project.machine.serial.as_deref()), ("m", Some("7")));
+        assert_eq!((project.estimator, project.robust), (Some(Estimator::TwoStep), true));
+        let folder = Path::new("a folder");
+        assert_eq!(project.table, Some(folder.join("t.csv")));
+        let files = ["a.csv", "b.csv"].map(|file| folder.join(file)).to_vec();
+        assert_eq!(project.runs, [ProjectRun { name: "tilting".to_owned(), files, weight: Some(2.0) }]);
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_line() {
+        let cases = [
+            ("model = \"m\"\n[fitt]\n", "line 2: unknown field `fitt`"),
+            ("\n[fit]\n", "missing field `model`"),
+            ("model = 3\n", "line 1: invalid type"),
+            ("model = \"m\"\n[run.t]\nfiles = []\n", "line 3: no file"),
+            ("model = \"m\"\n[run.t]\nfiles = [\"a\"]\nweight = -1\n", "line 4: weight = -1.0"),
+            ("model = \"m\"\n[fit]\nestimator = \"both\"\n", "line 3: unknown variant"),
+        ];
+        for (text, told) in cases {
+            let error = read(text).unwrap_err().to_string();
+            assert!(error.contains(told), "{text}: {error}");
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The measuring plan, Markdown.
+
+use super::{Planned, program_file};
+use crate::program::Control;
+use crate::study::Path;
+use crate::study::plan::Predicted;
+use std::fmt::Write;
+use trunnion_codegen::ids::RunId;
+use trunnion_codegen::model::{AxisKind, Ball};
+use trunnion_codegen::problems::visible;
+use trunnion_codegen::quantity::Unit;
+
+/// The text of a measuring plan: what the runs give, in which order they are made, and how.
+pub fn plan(planned: &Planned) -> String {
+    let setup = planned.setup;
+    let mut out = format!("# Measuring plan\n\n{}\n\n", cell(&setup.model.title));
+    let lengths: Vec<String> =
+        setup.model.alphabet.constants().map(|name| format!("{name} = {} mm", setup.constant(name))).collect();
+    let _ = writeln!(out, "Set-up: {}. The model is `{}`.\n", cell(&lengths.join(", ")), cell(planned.model));
+    out += "## What the runs give\n\n\
+            The valuation number is the standard deviation of a function, where it is largest, for each µm of the standard \
+            deviation\nof a reading, with 360 readings a run. Noise alone is in it: the report of `trunnion fit` has the other \
+            sources.\n\n| function | valuation number | what is determined |\n|---|---:|---|\n";
+    for function in &planned.prediction.functions {
+        let name = setup.function_name(function.function);
+        let _ =
+            writeln!(out, "| {} | {} | {} |", cell(&name), valuation(planned, function), cell(&function.told.words));
+    }
+    out += "\n## The runs, in this order\n\n\
+            Warm the machine up. Where the placing is the same as before, leave the balls where they are: the model counts on \
+            it.\nEach run goes there and back; the coordinates are the model's, whose zero point is to be set as work offset.\n\n";
+    for (at, (run, path)) in ordered(planned).into_iter().enumerate() {
+        out += &one(planned, at, run, path);
+    }
+    out += "\n## Afterwards\n\nPut the readings into the files named above, beside `trunnion.toml`, and enter there what is known \
+            of machine and\ninstrument. Then, in this folder:\n\n    trunnion fit\n\n\
+            The NC programs move in straight blocks that all take the same time, so that the sweep goes at a constant rate. They \
+            were\nnot run on a machine, and for SINUMERIK, Heidenhain and Fanuc not read by a control either: prove them without the \
+            bar. The\nHeidenhain programs have no time for a block but a feed for its way, which a control may take differently \
+            where rotary and\nlinear axes move together.\n";
+    out
+}
+
+/// Degrees, or µm, for each µm.
+fn valuation(planned: &Planned, function: &Predicted) -> String {
+    let Some(largest) = function.largest else { return "–".to_owned() };
+    match planned.setup.quantity(function.function).deviation() {
+        Unit::Um => format!("{:.4} µm/µm", Unit::Um.from_inner(largest.std)),
+        _ => format!("{:.6} °/µm", Unit::Deg.from_inner(largest.std)),
+    }
+}
+
+/// Runs of one placing together, in the order in which the placings come first.
+fn ordered<'a>(planned: &Planned<'a>) -> Vec<(RunId, &'a Path)> {
+    let mut placings = Vec::new();
+    let mut runs: Vec<(usize, RunId, &Path)> = Vec::new();
+    for (run, path) in planned.paths {
+        let own = placing(planned, *run);
+        let at = placings.iter().position(|placing| *placing == own).unwrap_or_else(|| {
+            placings.push(own);
+            placings.len() - 1
+        });
+        runs.push((at, *run, path));
+    }
+    runs.sort_by_key(|(placing, run, _)| (*placing, *run));
+    runs.into_iter().map(|(_, run, path)| (run, path)).collect()
+}
+
+/// What a placing is known by: the errors of where its balls are.
+fn placing<'a>(planned: &Planned<'a>, run: RunId) -> [&'a Ball; 2] {
+    let run = &planned.setup.model.runs[run];
+    [&run.workpiece_ball, &run.tool_ball]
+}
+
+fn one(planned: &Planned, at: usize, run: RunId, path: &Path) -> String {
+    let setup = planned.setup;
+    let name = planned.name(run);
+    let [from, to] = path.measured.map(f64::to_degrees);
+    let mut out = format!("### {}. {}\n\n", at + 1, cell(name));
+    match setup.bar(run) {
+        Some(bar) => {
+            let _ = writeln!(out, "* Bar of {bar} mm, sweep {from:.1}° to {to:.1}°.");
+        }
+        None => {
+            let _ = writeln!(out, "* Displacements, sweep {from:.1}° to {to:.1}°.");
+        }
+    }
+    for (whose, ball) in ["workpiece", "tool"].iter().zip(&path.balls) {
+        let [x, y, z] = ball.map(|x| format!("{:.3}", x + 0.0));
+        let _ = writeln!(out, "* Ball of the {whose} at ({x}, {y}, {z}) mm of what carries it.");
+    }
+    if at > 0
+        && ordered(planned).get(at - 1).is_some_and(|(before, _)| placing(planned, *before) == placing(planned, run))
+    {
+        out += "* The placing is the same as before.\n";
+    }
+    for (axis, (name, kind)) in path.axes.iter().enumerate() {
+        let unit = if *kind == AxisKind::Rotary { Unit::Deg } else { Unit::Mm };
+        let along = path.points.iter().map(|point| unit.from_inner(point[axis]));
+        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let (low, high) = (format!("{:.2}", low + 0.0), format!("{:.2}", high + 0.0));
+        let _ = writeln!(out, "* Axis {} goes from {low} to {high} {unit}.", cell(name));
+    }
+    let programs = Control::ALL.map(|control| format!("`{}`", program_file(name, control)));
+    let _ = writeln!(out, "* Programs: {}.", cell(&programs.join(", ")));
+    let _ = writeln!(
+        out,
+        "* Readings into {}.\n",
+        cell(&planned.readings(run).map(|file| format!("`{file}`")).join(" and "))
+    );
+    out
+}
+
+/// A text within a line of a table.
+fn cell(text: &str) -> String {
+    visible(text).replace('|', "\\|")
+}

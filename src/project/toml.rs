@@ -1,0 +1,48 @@
+//! The project file.
+
+use super::Planned;
+use crate::study::coordinate;
+use std::fmt::Write;
+use trunnion_codegen::model::{Axis, key, string};
+
+/// The text of a project file: what there is to be said, and as a comment what may be.
+pub fn project(planned: &Planned) -> String {
+    let setup = planned.setup;
+    let mut out = format!(
+        "# {}\n# `trunnion fit` in this folder reads the files below; the measuring plan says how they come about.\n\n\
+         # A name from `trunnion models`, or a model file.\nmodel = {}\n\n",
+        setup.model.title,
+        string(planned.model)
+    );
+    out += "# For the report.\n[machine]\n# name = \"\"\n# serial = \"\"\n# operator = \"\"\n# date = \"\"\n\n";
+    out += "# Nominal lengths of the set-up.\n[lengths]\n";
+    for name in setup.model.alphabet.constants() {
+        let _ = writeln!(out, "{} = {}", key(&format!("{name}_mm")), setup.constant(name));
+    }
+    out += "\n# How large errors are at most: for what the runs do not tell.\n[limits]\n# length_um = 30\n# angle_urad = 100\n\n";
+    out += "# What the instrument's certificate says; without it no uncertainty has the instrument's part.\n[instrument]\n\
+            # preset = \"QC20-W\"\n# constant_um = 0.7\n# proportional = 0.003\n# bar_length_um = 1\n\
+            # temperature_k = 1\n# expansion_per_k = 1.2e-5\n\n";
+    for axis in setup.model.axes() {
+        out += &range(axis);
+    }
+    out += "[fit]\nestimator = \"joint\"\n# robust = \"huber\"\n# table = \"table.csv\"         # known functions\n\n";
+    for &(run, _) in planned.paths {
+        let files = planned.readings(run).map(|file| string(&file)).join(", ");
+        let _ = writeln!(out, "[run.{}]\nfiles = [{files}]\n", key(planned.name(run)));
+    }
+    out.truncate(out.trim_end().len());
+    out + "\n"
+}
+
+/// The range of an axis: its own, or a comment.
+fn range(axis: &Axis) -> String {
+    let unit = coordinate(axis).coordinate();
+    let (mark, [low, high]) = match axis.range {
+        // As it was written, without what the conversions have added.
+        Some(range) => ("", range.map(|end| (unit.from_inner(end) * 1e9).round() / 1e9)),
+        None if unit.suffix() == "deg" => ("# ", [-30.0, 120.0]),
+        None => ("# ", [-250.0, 250.0]),
+    };
+    format!("{mark}[axis.{}]\n{mark}range = [{low}, {high}]          # {unit}\n\n", key(&axis.name))
+}

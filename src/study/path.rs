@@ -1,0 +1,138 @@
+//! How the axes move in a run, point by point, for a control that moves in straight lines between points.
+
+use super::setup::Setup;
+use std::f64::consts::TAU;
+use trunnion_codegen::algebra::{ErrorId, at};
+use trunnion_codegen::graph::LANES;
+use trunnion_codegen::ids::{AxisId, RunId};
+use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::model::{Axis, AxisKind, Run};
+
+/// How far a straight line between two points may be off the path, mm.
+const CHORD: f64 = 1e-4;
+/// Radius at which an angle is off, mm, where there is no bar.
+const LEVER: f64 = 150.0;
+/// Steps between points, rad: at least, and at most.
+const STEPS: [f64; 2] = [0.02, 2.0];
+/// Points at which the path is looked at.
+const LOOKED_AT: usize = 1440;
+
+/// A run's path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// Where the balls are nominally, each in the frame of what carries it, mm: the workpiece's, the tool's.
+    pub balls: [[f64; 3]; 2],
+    /// The axes that move or stand at a coordinate, in the model's order: their names, and whether they turn.
+    pub axes: Vec<(String, AxisKind)>,
+    /// What is measured, from the first to the last sweep, rad.
+    pub measured: [f64; 2],
+    /// How far the path goes on beyond both ends, rad: the axes come to speed there.
+    pub overshoot: f64,
+    /// Sweeps from beyond one end to beyond the other, in equal steps, rad.
+    pub sweeps: Vec<f64>,
+    /// The axes' coordinates at each of them, mm or rad.
+    pub points: Vec<Vec<f64>>,
+    /// The bar's direction at both ends as the linear axes lengthen it, in the order of the axes: to be multiplied with a length.
+    /// None of a run that reads a displacement, or where linear axes do not lengthen it.
+    pub outward: Option<[Vec<f64>; 2]>,
+}
+
+/// A machine without errors.
+struct Perfect;
+
+impl ErrorValues for Perfect {
+    fn value(&self, _: ErrorId, _: f64) -> f64 {
+        0.0
+    }
+}
+
+impl Setup {
+    /// The path of a run over what of a turn its axes can reach, and `overshoot` (rad) beyond both ends where they can.
+    pub fn path(&self, run: RunId, overshoot: f64) -> Path {
+        let described = &self.model.runs[run];
+        let measured = self.sweep_range(run, (0.0, TAU));
+        let beyond = (measured.0 - overshoot, measured.1 + overshoot);
+        let overshoot = if self.reaches(run, beyond).is_ok() { overshoot } else { 0.0 };
+        let ends = (measured.0 - overshoot, measured.1 + overshoot);
+        let moved: Vec<(AxisId, &Axis)> = self
+            .model
+            .axes()
+            .enumerate()
+            .map(|(i, axis)| (AxisId::from(i), axis))
+            .filter(|(id, _)| is_moved(described, *id))
+            .collect();
+        let points = |steps: usize| {
+            let sweeps: Vec<f64> = (0..=steps).map(|i| ends.0 + (ends.1 - ends.0) * i as f64 / steps as f64).collect();
+            let along: Vec<Vec<f64>> = moved.iter().map(|(id, _)| self.coordinates(run, *id, &sweeps)).collect();
+            let points = (0..sweeps.len()).map(|i| along.iter().map(|axis| axis[i]).collect()).collect();
+            (sweeps, points)
+        };
+        let lever = self.bar(run).unwrap_or(LEVER);
+        let weights: Vec<f64> =
+            moved.iter().map(|(_, axis)| if axis.kind == AxisKind::Rotary { lever } else { 1.0 }).collect();
+        let (looked_at, seen): (Vec<f64>, Vec<Vec<f64>>) = points(LOOKED_AT);
+        let width = looked_at[1] - looked_at[0];
+        let step = step(&seen, &weights, width);
+        let (sweeps, points) = points(((ends.1 - ends.0) / step).ceil().max(1.0) as usize);
+        Path {
+            axes: moved.iter().map(|(_, axis)| (axis.name.clone(), axis.kind)).collect(),
+            balls: [&described.workpiece_ball, &described.tool_ball]
+                .map(|ball| ball.at.each_ref().map(|p| at(p, &self.model.alphabet, measured.0, |n| self.constant(n)))),
+            measured: [measured.0, measured.1],
+            overshoot,
+            outward: self.outward(run, &moved, [ends.0, ends.1]),
+            sweeps,
+            points,
+        }
+    }
+
+    /// What the linear axes have to do to lengthen a bar by one, at two sweeps.
+    fn outward(&self, run: RunId, moved: &[(AxisId, &Axis)], ends: [f64; 2]) -> Option<[Vec<f64>; 2]> {
+        let bar = self.bar(run)?;
+        let exact = self.exact(run, &ends);
+        let mut balls = [[[0.0; LANES]; 3]; 2];
+        exact.run().balls(0, &Perfect, &mut balls);
+        let along = |end: usize| {
+            let unit: [f64; 3] = core::array::from_fn(|i| (balls[1][i][end] - balls[0][i][end]) / bar);
+            let mut left = unit;
+            let by = moved.iter().map(|(id, axis)| {
+                let Some(direction) = self.moves(*id, axis) else { return 0.0 };
+                let by: f64 = (0..3).map(|i| unit[i] * direction[i]).sum();
+                (0..3).for_each(|i| left[i] -= by * direction[i]);
+                by
+            });
+            let by: Vec<f64> = by.collect();
+            left.iter().all(|x| x.abs() < 1e-6).then_some(by)
+        };
+        Some([along(0)?, along(1)?])
+    }
+
+    /// Where a linear axis that no rotary one carries moves the tool against the workpiece.
+    fn moves(&self, id: AxisId, axis: &Axis) -> Option<[f64; 3]> {
+        let (workpiece, place) = (self.model.workpiece.len(), usize::from(id));
+        let (carriers, sign) = if place < workpiece {
+            (&self.model.workpiece[..place], -1.0)
+        } else {
+            (&self.model.tool[..place - workpiece], 1.0)
+        };
+        let carried = carriers.iter().any(|axis| axis.kind == AxisKind::Rotary);
+        let value = |p| sign * at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
+        (axis.kind == AxisKind::Linear && !carried).then(|| axis.direction.each_ref().map(value))
+    }
+}
+
+fn is_moved(run: &Run, axis: AxisId) -> bool {
+    run.at[axis].poly().is_some()
+}
+
+/// The step at which a straight line is [`CHORD`] off the path at most, by its largest second derivative: h = √(8·chord/|x″|).
+fn step(points: &[Vec<f64>], weights: &[f64], width: f64) -> f64 {
+    let bend = points.windows(3).map(|three| {
+        let second = |(axis, weight): (usize, &f64)| {
+            weight * (three[0][axis] - 2.0 * three[1][axis] + three[2][axis]) / (width * width)
+        };
+        weights.iter().enumerate().map(second).map(|x| x * x).sum::<f64>().sqrt()
+    });
+    let bend = bend.fold(0.0, f64::max);
+    (8.0 * CHORD / bend).sqrt().clamp(STEPS[0].to_radians(), STEPS[1].to_radians())
+}
