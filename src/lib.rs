@@ -30,6 +30,7 @@
 //! | read the files of instruments | [`import`] |
 //! | fit, report, simulate, study | [`study`] |
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
+//! | evaluate a circular test as ISO 230-4 does | [`circular`] |
 //! | begin a measurement: project file and measuring plan | [`project`] |
 //! | write the NC program of a run | [`program`] |
 //! | say what has changed between reports | [`history`] |
@@ -38,6 +39,7 @@
 //!
 //! Lengths are in mm and angles in rad wherever a name or a [`data::Unit`] does not say otherwise.
 
+pub mod circular;
 pub mod data;
 pub mod exechon;
 pub mod history;

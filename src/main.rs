@@ -41,6 +41,8 @@ enum Command {
     Import(commands::import::ImportArguments),
     /// Errors and their uncertainty from measurement files.
     Fit(commands::fit::FitArguments),
+    /// The circular test of ISO 230-4: its figures, what is read from the trace, and the polar plot.
+    Circular(commands::circular::CircularArguments),
     /// What has changed between reports, beyond their uncertainty.
     Compare(commands::compare::CompareArguments),
     /// What intended runs would tell: ranges, radii and subsets of runs compared, and which added run tells more.
@@ -76,6 +78,7 @@ fn main() -> ExitCode {
         Command::Simulate(c) => c.run(),
         Command::Import(c) => c.run(),
         Command::Fit(c) => c.run(),
+        Command::Circular(c) => c.run(),
         Command::Compare(c) => c.run(),
         Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use trunnion::data::{Radius, Sweep, Unit};
-use trunnion::plot::{Chart, Mark, Panel, PlotError, PolarChart, Scale, Series, Tone};
+use trunnion::plot::{Chart, Mark, Panel, PlotError, PolarChart, Rim, Scale, Series, Tone};
 
 fn reference(set: &str, file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/tilting-table").join(set).join(file)
@@ -67,7 +67,8 @@ fn figure4(set: &str) -> Chart {
 }
 
 fn polar(set: &str) -> PolarChart {
-    PolarChart { title: "Radial deviation".into(), deviation: Scale::new("ΔR", Unit::Um), series: runs(set) }
+    let deviation = Scale::new("ΔR", Unit::Um);
+    PolarChart { title: "Radial deviation".into(), deviation, rim: Rim::Degrees, series: runs(set) }
 }
 
 /// Every coordinate of the drawing lies within its sheet. One on the edge was moved there by the drawing library.

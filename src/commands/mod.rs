@@ -1,5 +1,6 @@
 //! One module per command, and what they share.
 
+pub mod circular;
 pub mod compare;
 pub mod demo;
 pub mod derive;

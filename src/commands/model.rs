@@ -153,6 +153,7 @@ pub fn others(model: &Model, given: &[String]) -> Result<Vec<(String, f64)>, Ref
     Ok(values)
 }
 
-fn millimetres(text: &str) -> Result<f64, &'static str> {
+/// The nominal length of the bar, mm; which lengths it may have is told where it is used.
+pub fn millimetres(text: &str) -> Result<f64, &'static str> {
     text.trim().parse().map_err(|_| "not a number\n  expected the nominal length of the bar in mm, e.g. 150")
 }

@@ -52,6 +52,11 @@ pub fn goal(text: &str) -> Result<f64, String> {
     within(text, Some(0.0), 0.0..=1e6, "an uncertainty in µrad or µm, e.g. 2,")
 }
 
+/// A feed that there is, mm/min.
+pub fn feed(text: &str) -> Result<f64, String> {
+    within(text, Some(0.0), 0.0..=1e6, "a feed in mm/min")
+}
+
 /// An angle within ten turns, degrees.
 pub fn angle(text: &str) -> Result<f64, String> {
     within(text, None, -3600.0..=3600.0, "an angle in degrees")

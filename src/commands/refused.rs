@@ -6,6 +6,7 @@ use super::seen::seen;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
+use trunnion::circular::{CircularError, TraceError};
 use trunnion::data::{
     FileError, FileProblem, NativeError, ObservationsError, ProjectError, RadiusError, TextError, WriteError,
 };
@@ -35,6 +36,10 @@ pub enum Refused {
     Write(#[from] WriteError),
     #[error(transparent)]
     Plot(#[from] PlotError),
+    #[error(transparent)]
+    Circular(#[from] CircularError),
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    Trace(PathBuf, TraceError),
     #[error("{}", setup(.0))]
     Setup(#[from] SetupError),
     #[error("{}", estimate(.0))]

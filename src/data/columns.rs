@@ -26,12 +26,14 @@ pub(crate) struct Wanted<'a> {
     pub absent: Option<f64>,
     /// Its name in the file, where that is another one.
     pub called: Option<Called<'a>>,
+    /// Whether a column of any other name is meant as well, if its unit fits.
+    pub any: bool,
 }
 
 impl<'a> Wanted<'a> {
     /// A column that has to be there.
     pub const fn new(name: &'a str, units: &'static [Unit]) -> Self {
-        Self { name, units, absent: None, called: None }
+        Self { name, units, absent: None, called: None, any: false }
     }
 
     /// The same with the name that it has in files with such columns.
@@ -50,6 +52,11 @@ impl<'a> Wanted<'a> {
             Some(called) => (called.text.to_owned(), &[]),
             None => (self.name.to_owned(), self.units),
         }
+    }
+
+    /// A column that has to be there, whatever stands before its unit; `name` for example.
+    pub const fn any(name: &'a str, units: &'static [Unit]) -> Self {
+        Self { name, units, absent: None, called: None, any: true }
     }
 
     /// As a message lists it: `a_deg or a_rad`.
@@ -107,11 +114,15 @@ enum Match {
 }
 
 fn compare(field: &str, wanted: &Wanted) -> Option<Match> {
-    let Wanted { name, units, called, .. } = *wanted;
+    let Wanted { name, units, called, any, .. } = *wanted;
     let fitting = |unit: Unit| if units.contains(&unit) { Match::Fits(Some(unit)) } else { Match::WrongUnit };
     if let Some(called) = called {
         let unit = called.unit.or_else(|| with_unit(field).map(|(_, unit)| unit));
         return (field == called.text).then(|| unit.map_or(Match::NoUnit, fitting));
+    }
+    if any {
+        let (_, unit) = with_unit(field)?;
+        return units.contains(&unit).then_some(Match::Fits(Some(unit)));
     }
     match (field.strip_prefix(name)?, units) {
         ("", []) => Some(Match::Fits(None)),

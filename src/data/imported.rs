@@ -93,7 +93,7 @@ fn table(
     names: &Columns,
     stated: &Stated,
 ) -> Result<Imported, FileError> {
-    let columns = RunColumns { angle, reading: READING, others: &[], names, bar_mm: None, least: 2 };
+    let columns = RunColumns { angle: Some(angle), reading: READING, others: &[], names, bar_mm: None, least: 2 };
     let lines = Lines::from(file, source, &columns.wanted())?;
     let unit = lines.columns().get(1).and_then(Column::unit).unwrap_or(Unit::Um);
     let mut samples = Vec::new();

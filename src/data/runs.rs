@@ -110,7 +110,7 @@ impl RunFiles {
     ) -> Result<Vec<Recorded<'a>>, FileError> {
         let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
         let columns = RunColumns {
-            angle: setup.model.alphabet.sweep_name(described.sweep),
+            angle: Some(setup.model.alphabet.sweep_name(described.sweep)),
             reading: source.column,
             others: match CHANNELS.iter().position(|column| *column == source.column) {
                 Some(own) => OTHERS[own],

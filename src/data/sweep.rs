@@ -44,8 +44,8 @@ pub struct Sweep {
 /// What a run's file has to hold.
 #[derive(Clone, Copy)]
 pub(super) struct RunColumns<'a> {
-    /// The swept angle's column without its unit.
-    pub angle: &'a str,
+    /// The swept angle's column without its unit; none if it may have any name.
+    pub angle: Option<&'a str>,
     /// The readings' column without its unit.
     pub reading: &'a str,
     /// Other lengths that have to be there.
@@ -68,8 +68,15 @@ impl Sweep {
     /// turns; where there are fewer than `least` angles, or more than [`SAMPLES`]; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        let bar_mm = Some(radius.mm());
-        Self::read_as(file, &RunColumns { angle, reading: READING, others: &[], names: &NATIVE, bar_mm, least })
+        Self::read_as(file, &RunColumns::of(Some(angle), radius, least))
+    }
+
+    /// As [`Sweep::read`], whatever the angle's column is called: `a_deg`, `angle_rad`.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`].
+    pub fn read_circle(file: &Path, radius: Radius, least: usize) -> Result<Self, FileError> {
+        Self::read_as(file, &RunColumns::of(None, radius, least))
     }
 
     fn read_as(file: &Path, expected: &RunColumns) -> Result<Self, FileError> {
@@ -126,11 +133,16 @@ impl Sweep {
 }
 
 impl<'a> RunColumns<'a> {
+    fn of(angle: Option<&'a str>, radius: Radius, least: usize) -> Self {
+        Self { angle, reading: READING, others: &[], names: &NATIVE, bar_mm: Some(radius.mm()), least }
+    }
+
     /// The columns, the angle's and the readings' first.
     pub fn wanted(&self) -> Vec<Wanted<'a>> {
         let length = |name| Wanted::new(name, deviation(Quantity::Length));
         let others = self.others.iter().map(|name| length(name));
-        let wanted = [Wanted::new(self.angle, SWEEP), length(self.reading)].into_iter().chain(others);
+        let angle = self.angle.map_or(Wanted::any("a", SWEEP), |name| Wanted::new(name, SWEEP));
+        let wanted = [angle, length(self.reading)].into_iter().chain(others);
         wanted.map(|wanted| wanted.in_files(self.names)).collect()
     }
 

@@ -1,7 +1,7 @@
 //! Pictures: the machine, the dependent rotation over the workspace, the quintic, the ring.
 
 use super::{ALONG, Compensation, PointError, RingReport, rotation_at};
-use crate::plot::{Chart, HeatMap, Label, Mark, Panel, PlotError, PolarChart, Scale, Series, Sketch, Tone};
+use crate::plot::{Chart, HeatMap, Label, Mark, Panel, PlotError, PolarChart, Rim, Scale, Series, Sketch, Tone};
 use std::f64::consts::TAU;
 use trunnion_codegen::quantity::Unit;
 use trunnion_solver::exechon::{Machine, Pose};
@@ -127,7 +127,8 @@ pub fn ring_picture(reports: &[(&str, &RingReport)], title: &str) -> Result<Stri
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         line(name, tone, points)
     });
-    PolarChart { title: title.to_owned(), deviation: Scale::new("deviation", Unit::Um), series: series.collect() }.svg()
+    let deviation = Scale::new("deviation", Unit::Um);
+    PolarChart { title: title.to_owned(), deviation, rim: Rim::Degrees, series: series.collect() }.svg()
 }
 
 /// Why there is no picture.

@@ -1,7 +1,7 @@
 //! What was kept of a run, and what was trimmed.
 
 use super::trace::{Trace, TraceSample};
-use crate::plot::{Mark, PlotError, PolarChart, Scale, Series, Tone};
+use crate::plot::{Mark, PlotError, PolarChart, Rim, Scale, Series, Tone};
 use trunnion_codegen::quantity::Unit;
 
 /// Points of a line: more are not seen.
@@ -32,5 +32,5 @@ pub fn trace_picture(title: &str, trace: &Trace) -> Result<String, PlotError> {
     let mut series: Vec<Series> =
         trimmed.enumerate().map(|(at, s)| line(if at == 0 { "trimmed" } else { "" }, Tone::Vermilion, s)).collect();
     series.push(line("kept", Tone::Blue, trace.kept()));
-    PolarChart { title: title.to_owned(), deviation: Scale::new("ΔR", Unit::Um), series }.svg()
+    PolarChart { title: title.to_owned(), deviation: Scale::new("ΔR", Unit::Um), rim: Rim::Degrees, series }.svg()
 }

@@ -41,6 +41,14 @@ impl Ink {
         Self { rgb: tone.rgb(), alpha: 1.0, width: 1.6 }
     }
 
+    pub(crate) const fn thick(tone: Tone) -> Self {
+        Self { width: 3.0, ..Self::line(tone) }
+    }
+
+    pub(crate) const fn solid(tone: Tone) -> Self {
+        Self::fill(tone.rgb())
+    }
+
     pub(crate) const fn band(tone: Tone) -> Self {
         Self { rgb: tone.rgb(), alpha: 0.25, width: 0.0 }
     }

@@ -1,7 +1,9 @@
 //! Line charts: panels one below the other over a common x axis.
 
+use std::f64::consts::FRAC_PI_6;
+
 use super::canvas::{Anchor, Canvas, FRAME, GRID, Ink, ZERO, draw, width};
-use super::series::{Extent, Mark, PlotError, Scale, Series};
+use super::series::{Extent, Mark, PlotError, Scale, Series, Tone};
 use super::ticks::Ticks;
 use trunnion_codegen::quantity::Unit;
 
@@ -115,6 +117,7 @@ pub(crate) fn legend(canvas: &Canvas, series: &[Series], (mut x, y): (f64, f64))
                 let corners = [(x, y - 5.0), (end, y - 5.0), (end, y + 5.0), (x, y + 5.0)];
                 canvas.area(corners, Ink::band(*tone))?;
             }
+            Mark::Arrow(_) => continue,
         }
         canvas.text(name, (end + 7.0, y), TEXT, Anchor::Left)?;
         x = end + 7.0 + width(name, TEXT) + 22.0;
@@ -131,10 +134,32 @@ pub(crate) fn draw_mark(
     match &series.mark {
         Mark::Line(points) => canvas.line(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
         Mark::Dashed(points) => canvas.dashed(points.iter().map(|point| at(*point)), Ink::line(series.tone)),
+        Mark::Arrow(points) => {
+            let points: Vec<_> = points.iter().map(|point| at(*point)).collect();
+            arrow(canvas, &points, series.tone)
+        }
         Mark::Band(points) => {
             let upper = points.iter().map(|(x, _, high)| at((*x, *high)));
             let lower = points.iter().rev().map(|(x, low, _)| at((*x, *low)));
             canvas.area(upper.chain(lower), Ink::band(series.tone))
         }
     }
+}
+
+/// Radius of an arrow's dot; length of its head, which is as wide.
+const DOT: f64 = 4.0;
+const HEAD: f64 = 13.0;
+
+fn arrow(canvas: &Canvas, points: &[(f64, f64)], tone: Tone) -> Result<(), PlotError> {
+    let (Some(&(x, y)), Some(&(tip_x, tip_y))) = (points.first(), points.last()) else { return Ok(()) };
+    let dot = (0..12).map(|k| (x + DOT * (f64::from(k) * FRAC_PI_6).cos(), y + DOT * (f64::from(k) * FRAC_PI_6).sin()));
+    canvas.area(dot, Ink::solid(tone))?;
+    // The head is as long as the line is that it stands for: neighbours alone would turn it by their scatter.
+    let behind = points.iter().rev().find(|(x, y)| (tip_x - x).hypot(tip_y - y) >= HEAD);
+    let Some(&(back_x, back_y)) = behind else { return Ok(()) };
+    let length = (tip_x - back_x).hypot(tip_y - back_y);
+    let (u, v) = (HEAD * (tip_x - back_x) / length, HEAD * (tip_y - back_y) / length);
+    let corner = |side: f64| (tip_x - u - side * v / 2.0, tip_y - v + side * u / 2.0);
+    canvas.line(points.iter().copied(), Ink::thick(tone))?;
+    canvas.area([(tip_x, tip_y), corner(1.0), corner(-1.0)], Ink::solid(tone))
 }

@@ -16,6 +16,6 @@ mod ticks;
 pub use canvas::MADE;
 pub use line::{Chart, Panel};
 pub use map::HeatMap;
-pub use polar::PolarChart;
+pub use polar::{PolarChart, Rim};
 pub use series::{Mark, PlotError, Scale, Series, Tone};
 pub use sketch::{Label, Sketch};

@@ -72,6 +72,8 @@ pub enum Mark {
     Line(Vec<(f64, f64)>),
     /// A dashed line through (x, y).
     Dashed(Vec<(f64, f64)>),
+    /// A line through (x, y) that begins at a dot and ends in a head; not in the legend.
+    Arrow(Vec<(f64, f64)>),
     /// The area between lower and upper values: (x, lower, upper).
     Band(Vec<(f64, f64, f64)>),
 }
@@ -107,7 +109,7 @@ impl Mark {
     /// Every (x, y) it touches.
     pub(crate) fn points(&self) -> Vec<(f64, f64)> {
         match self {
-            Mark::Line(points) | Mark::Dashed(points) => points.clone(),
+            Mark::Line(points) | Mark::Dashed(points) | Mark::Arrow(points) => points.clone(),
             Mark::Band(points) => points.iter().flat_map(|(x, low, high)| [(*x, *low), (*x, *high)]).collect(),
         }
     }

@@ -43,6 +43,11 @@ impl Ticks {
         Self { range: (first * step, last * step), at, decimals: (-step.log10()).ceil().clamp(0.0, 12.0) as usize }
     }
 
+    /// From a tick to the next one.
+    pub(crate) fn step(&self) -> f64 {
+        self.at.iter().zip(self.at.iter().skip(1)).map(|(a, b)| b - a).next().unwrap_or(0.0)
+    }
+
     /// What stands at a tick, all with the same number of decimals.
     pub(crate) fn label(&self, at: f64) -> String {
         let largest = self.range.0.abs().max(self.range.1.abs());

@@ -1,0 +1,172 @@
+//! `trunnion circular`: the circular test of ISO 230-4.
+
+use super::Refused;
+use super::model::millimetres;
+use super::number;
+use super::output::{Picture, print, say};
+use clap::{ArgGroup, Args};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use trunnion::circular::{
+    At, Circles, Circular, Effect, Estimate, Plane, Radial, Spike, Test, Trace, Traces, Undetermined, circular, picture,
+};
+use trunnion::data::{ObservationsError, Radius, Sweep, Unit};
+
+/// Seconds of a minute.
+const MINUTE: f64 = 60.0;
+
+/// Arguments of `circular`.
+#[derive(Debug, Args)]
+#[command(group = ArgGroup::new("paths").args(["cw", "ccw"]).multiple(true).required(true))]
+pub struct CircularArguments {
+    /// Readings of the clockwise path: CSV with an angle (a_deg, or another name with _deg or _rad) and dr_um or dr_mm.
+    #[arg(long, value_name = "FILE")]
+    cw: Option<PathBuf>,
+    /// Readings of the counterclockwise path: from the first axis of the plane to the second.
+    #[arg(long, value_name = "FILE")]
+    ccw: Option<PathBuf>,
+    /// Nominal length of the ball-bar, mm.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = millimetres)]
+    radius: f64,
+    /// The two axes: angles count from the first to the second.
+    #[arg(long, value_name = "AXES", default_value = "XY", value_parser = plane)]
+    plane: Plane,
+    /// Feed along the path, mm/min: gives the servo mismatch as a time.
+    #[arg(long, value_name = "MM/MIN", value_parser = number::feed, allow_negative_numbers = true)]
+    feed: Option<f64>,
+    /// Print one JSON object.
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    picture: Picture,
+}
+
+fn plane(text: &str) -> Result<Plane, &'static str> {
+    Plane::named(text).ok_or("not a plane\n  expected two of the axes X, Y, Z, U, V, W, such as XY, YZ or ZX")
+}
+
+impl CircularArguments {
+    /// Reads, works out, prints.
+    pub fn run(self) -> Result<(), Refused> {
+        let files = [&self.cw, &self.ccw];
+        if let [Some(cw), Some(ccw)] = files
+            && cw == ccw
+        {
+            let same = "the same file as --cw\n  expected the readings of the other direction";
+            return Err(Refused::Option("ccw", ccw.display().to_string(), same));
+        }
+        let radius = Radius::new(self.radius)?;
+        let trace = |file: &Option<PathBuf>| file.as_deref().map(|file| trace(file, radius)).transpose();
+        let [cw, ccw] = files.map(trace);
+        let Some(traces) = Traces::of(cw?, ccw?) else { return Ok(()) };
+        let test = Test { traces, radius, plane: self.plane, feed: self.feed.map(|feed| feed / MINUTE) };
+        let figures = circular(&test)?;
+        let title = format!("Circular test {}, R = {} mm", self.plane, radius.mm());
+        self.picture.draw(files.into_iter().flatten(), || Ok::<_, Refused>(picture(&test, &figures, &title).svg()?))?;
+        for warning in figures.warnings() {
+            say(format_args!("warning: {warning}"));
+        }
+        Ok(print(&if self.json { format!("{:#}\n", document(&figures)) } else { figures.to_string() })?)
+    }
+}
+
+fn trace(file: &Path, radius: Radius) -> Result<Trace, Refused> {
+    let sweep = Sweep::read_circle(file, radius, 1).map_err(ObservationsError::from)?;
+    let samples = sweep.samples().iter().map(|sample| (sample.angle_rad, sample.reading_mm));
+    Trace::new(samples).map_err(|error| Refused::Trace(file.to_owned(), error))
+}
+
+/// One object: the paths, both together, what is read from the trace, spikes, warnings.
+pub fn document(figures: &Circular) -> Value {
+    let radius = figures.radius;
+    let path = |path: &trunnion::circular::Path| {
+        let mut object = circles(&path.circles, radius);
+        object["direction"] = json!(path.direction.to_string());
+        object["samples"] = json!(path.samples);
+        object["arc_deg"] = json!(path.arc.to_degrees());
+        object["whole_circle"] = json!(path.whole);
+        object["start_deg"] = json!(path.start.map(f64::to_degrees));
+        object["radial_deviation"] = radial(&path.radial);
+        object["radial_deviation_centred"] = told(
+            figures.centred(path),
+            |[max, min]| json!({ "max_um": Unit::Um.from_inner(max), "min_um": Unit::Um.from_inner(min) }),
+        );
+        object
+    };
+    let both = figures.both.as_ref().map(|both| {
+        let mut object = circles(&both.circles, radius);
+        object["radial_deviation"] = radial(&both.radial);
+        object["mean_bidirectional_radial_deviation"] =
+            told(both.mean_radial, |d| json!({ "um": Unit::Um.from_inner(d) }));
+        object["circular_hysteresis"] = told(both.hysteresis, at);
+        object
+    });
+    let effect = |Effect { term, estimate }: &Effect| {
+        let ways = |Estimate { value, std, u95 }: Estimate| {
+            let way = |m: trunnion::circular::Measure| {
+                (m.key.to_owned(), json!({ "value": value * m.factor, "std": std * m.factor, "u95": u95 * m.factor }))
+            };
+            Value::Object(term.measures(radius, figures.feed).into_iter().map(way).collect())
+        };
+        let mut object = told(*estimate, ways);
+        object["name"] = json!(term.key());
+        object["of"] = json!(term.name(figures.plane));
+        object
+    };
+    let spike = |Spike { reversal, direction, height }: &Spike| {
+        let mut object = told(*height, |height| {
+            json!({
+                "um": Unit::Um.from_inner(height.height),
+                "at_deg": height.angle.to_degrees(),
+                "std_um": Unit::Um.from_inner(height.std),
+                "stands_out": height.stands_out(),
+            })
+        });
+        object["reversal"] = json!(figures.plane.end(*reversal));
+        object["reversal_deg"] = json!(reversal.angle().to_degrees());
+        object["direction"] = json!(direction.to_string());
+        object
+    };
+    json!({
+        "plane": figures.plane.to_string(),
+        "radius_mm": radius.mm(),
+        "feed_mm_per_min": figures.feed.map(|feed| feed * MINUTE),
+        "paths": figures.paths.iter().map(path).collect::<Vec<_>>(),
+        "both": both,
+        "effects": figures.effects.iter().map(effect).collect::<Vec<_>>(),
+        "scatter": figures.scatter.map(|scatter| json!({
+            "std_um": Unit::Um.from_inner(scatter.std),
+            "samples": scatter.samples,
+            "samples_as_one": scatter.alike,
+        })),
+        "spikes": figures.spikes.iter().map(spike).collect::<Vec<_>>(),
+        "warnings": figures.warnings().map(|warning| warning.to_string()).collect::<Vec<_>>(),
+    })
+}
+
+/// A figure's object, or `undetermined` with the reason.
+fn told<T>(figure: Result<T, Undetermined>, object: impl FnOnce(T) -> Value) -> Value {
+    figure.map_or_else(|why| json!({ "undetermined": why.to_string() }), object)
+}
+
+fn at(at: At) -> Value {
+    json!({ "um": Unit::Um.from_inner(at.deviation), "at_deg": at.angle.to_degrees() })
+}
+
+fn radial(radial: &Radial) -> Value {
+    json!({ "max": at(radial.max), "min": at(radial.min) })
+}
+
+fn circles(circles: &Circles, radius: Radius) -> Value {
+    let (fit, zone) = (&circles.least_squares, &circles.zone);
+    let um = |length: f64| Unit::Um.from_inner(length);
+    json!({
+        "circular_deviation": { "minimum_zone_um": um(zone.width()), "least_squares_um": um(fit.roundness()) },
+        "least_squares": { "centre_um": fit.circle.centre.map(um), "radius_less_nominal_um": um(circles.radius(radius)) },
+        "minimum_zone": {
+            "centre_um": zone.centre.map(um),
+            "inner_less_nominal_um": um(zone.inner - radius.mm()),
+            "outer_less_nominal_um": um(zone.outer - radius.mm()),
+        },
+    })
+}

@@ -1,0 +1,149 @@
+//! `trunnion circular` as a user meets it.
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+const CW: &str = "tests/reference/circular/cw.csv";
+const CCW: &str = "tests/reference/circular/ccw.csv";
+const PICTURE: &str = "docs/img/circular-test.svg";
+
+fn trunnion(arguments: &[&str]) -> Output {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let arguments = ["circular", "--radius", "150"].iter().chain(arguments);
+    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(root).args(arguments).output().unwrap()
+}
+
+fn succeeds(arguments: &[&str]) -> String {
+    let output = trunnion(arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", str::from_utf8(&output.stderr).unwrap());
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn refused(arguments: &[&str]) -> String {
+    let output = trunnion(arguments);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+#[test]
+fn the_page_shows_what_the_command_prints_and_draws() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let directory = tempfile::tempdir().unwrap();
+    let picture = directory.path().join("circular.svg");
+    let text = succeeds(&["--cw", CW, "--ccw", CCW, "--feed", "1000", "--svg", picture.to_str().unwrap()]);
+    let drawn = fs::read_to_string(picture).unwrap();
+    if std::env::var_os("UPDATE_GENERATED").is_some() {
+        fs::write(root.join(PICTURE), &drawn).unwrap();
+    }
+    let page = fs::read_to_string(root.join("docs/circular.md")).unwrap();
+    for line in text.lines() {
+        assert!(page.contains(line.trim_end()), "docs/circular.md lacks: {line}");
+    }
+    assert!(page.contains("(img/circular-test.svg)"));
+    let kept = fs::read_to_string(root.join(PICTURE)).unwrap();
+    assert!(kept == drawn, "{PICTURE} is another: UPDATE_GENERATED=1 cargo test --test circular");
+    for part in ["+X", "\u{2212}Y", "clockwise", "counterclockwise", "least-squares circle", "5 µm a division"] {
+        assert!(drawn.contains(part), "{part}");
+    }
+}
+
+#[test]
+fn every_number_is_in_the_document() {
+    let document: Value =
+        serde_json::from_str(&succeeds(&["--cw", CW, "--ccw", CCW, "--feed", "1000", "--json"])).unwrap();
+    let paths = document["paths"].as_array().unwrap();
+    assert_eq!(
+        paths.iter().map(|path| path["direction"].as_str().unwrap()).collect::<Vec<_>>(),
+        ["clockwise", "counterclockwise"]
+    );
+    for object in paths.iter().chain([&document["both"]]) {
+        let zone = object["circular_deviation"]["minimum_zone_um"].as_f64().unwrap();
+        let squares = object["circular_deviation"]["least_squares_um"].as_f64().unwrap();
+        assert!(5.0 < zone && zone <= squares && squares < 15.0);
+        let [max, min] = ["max", "min"].map(|end| object["radial_deviation"][end]["um"].as_f64().unwrap());
+        assert!(max - min >= squares);
+    }
+    let effect = |name: &str, key: &str| {
+        let effects = document["effects"].as_array().unwrap();
+        let value = &effects.iter().find(|e| e["name"] == name).unwrap()[key];
+        [&value["value"], &value["u95"]].map(|number| number.as_f64().unwrap())
+    };
+    // What the files were made with.
+    let truths = [
+        ("squareness", "um_per_m", 22.0),
+        ("squareness", "urad", 22.0),
+        ("scale_mismatch", "um_per_m", 23.0),
+        ("scale_mismatch", "um_over_diameter", 6.9),
+        ("servo_mismatch", "ms", 0.15),
+        ("servo_mismatch", "um", 2.5),
+        ("centre_first", "um", 4.1),
+        ("centre_second", "um", -2.7),
+        ("backlash", "um", 3.6),
+    ];
+    for (name, key, truth) in truths {
+        let [value, u95] = effect(name, key);
+        assert!((value - truth).abs() <= u95 && u95 < 0.5 * truth.abs(), "{name}: {value} ± {u95} {key}");
+    }
+    assert_eq!(document["spikes"].as_array().unwrap().len(), 8);
+    assert!(document["both"]["circular_hysteresis"]["um"].as_f64().unwrap() > 5.0);
+    assert!(document["both"]["mean_bidirectional_radial_deviation"]["um"].as_f64().unwrap() < -2.0);
+    assert!(document["warnings"].as_array().unwrap().is_empty());
+}
+
+#[test]
+fn one_direction_is_enough_and_says_what_it_lacks() {
+    let text = succeeds(&["--ccw", CCW]);
+    for said in ["needs both directions", "squareness and servo mismatch", "counterclockwise"] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    let document: Value = serde_json::from_str(&succeeds(&["--ccw", CCW, "--json"])).unwrap();
+    assert!(document["both"].is_null());
+    let effects = document["effects"].as_array().unwrap();
+    let square = effects.iter().find(|effect| effect["name"] == "squareness").unwrap();
+    assert_eq!(square["undetermined"], "needs both directions");
+}
+
+#[test]
+fn bad_input_is_named() {
+    assert!(refused(&[]).contains("--cw"));
+    assert!(refused(&["--cw", CW, "--ccw", CW]).contains("the same file"));
+    assert!(refused(&["--cw", CW, "--plane", "XX"]).contains("not a plane"));
+    assert!(refused(&["--cw", CW, "--feed", "0"]).contains("above 0 to 1000000"));
+    assert!(refused(&["--cw", "none.csv"]).contains("no such file"));
+    let directory = tempfile::tempdir().unwrap();
+    let file = |name: &str, text: &str| {
+        let file = directory.path().join(name);
+        fs::write(&file, text).unwrap();
+        file.to_str().unwrap().to_owned()
+    };
+    let rows = |header: &str, to: u32| {
+        let lines = (0..to).map(|k| format!("{k},0.{}\n", k % 10));
+        format!("{header}\n{}", lines.collect::<String>())
+    };
+    assert!(refused(&["--cw", &file("short.csv", &rows("c_deg,dr_um", 60))]).contains("an arc of 59.0°"));
+    assert!(refused(&["--cw", &file("few.csv", &rows("c_deg,dr_um", 5))]).contains("5 different angle(s)"));
+    assert!(refused(&["--cw", &file("unit.csv", &rows("angle,dr_um", 360))]).contains("a_deg or a_rad"));
+    assert!(refused(&["--cw", &file("two.csv", &rows("a_deg,c_deg", 360))]).contains("same quantity"));
+    assert!(refused(&["--cw", &file("rows.csv", &rows("a_deg,dr_um", 360).replace("9,0.9", "9,x"))]).contains(":11:"));
+    // Any name of the angle, and a picture that takes the place of nothing that is read.
+    let good = file("good.csv", &rows("spindle_deg,dr_um", 360));
+    assert!(succeeds(&["--ccw", &good]).contains("360.0°"));
+    assert!(refused(&["--ccw", &good, "--svg", &good, "--force"]).contains("good.csv"));
+    let output = trunnion(&["--cw", &good]);
+    assert!(str::from_utf8(&output.stderr).unwrap().contains("go the other way"));
+}
+
+#[test]
+fn a_path_of_a_minute_is_drawn_with_all_its_peaks_in_a_small_file() {
+    let directory = tempfile::tempdir().unwrap();
+    let [file, picture] = ["long.csv", "long.svg"].map(|name| directory.path().join(name).to_str().unwrap().to_owned());
+    let row = |k: u32| format!("{:.3},{}\n", f64::from(k) * 0.006, if k == 31_234 { 9 } else { k % 3 });
+    fs::write(&file, format!("a_deg,dr_um\n{}", (0..60_000).map(row).collect::<String>())).unwrap();
+    assert!(succeeds(&["--ccw", &file, "--svg", &picture]).contains("9.00 µm 187.4°"));
+    let drawn = fs::read_to_string(picture).unwrap();
+    assert!(drawn.len() < 150_000, "{}", drawn.len());
+    // The largest deviation is the outermost point, which the scale's last circle is for.
+    assert!(drawn.contains(">\n10\n<"));
+}
