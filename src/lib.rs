@@ -30,6 +30,7 @@
 //! | fit, report, simulate, study | [`study`] |
 //! | say what intended runs would tell, and which others would tell more | [`study::plan`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
+//! | make a page of a fit that one hands over | [`report`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
 //! Lengths are in mm and angles in rad wherever a name or a [`data::Unit`] does not say otherwise.
@@ -37,6 +38,7 @@
 pub mod data;
 pub mod exechon;
 pub mod plot;
+pub mod report;
 pub mod study;
 
 pub use study::{Estimator, Setup};

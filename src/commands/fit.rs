@@ -3,18 +3,24 @@
 use super::model::ModelArguments;
 use super::output::{print, say};
 use super::pair::pair;
+use super::reported::{ReportArguments, read};
 use super::stated::{InstrumentArguments, LimitArguments};
 use super::{Refused, document};
-use clap::{Args, ValueEnum};
-use std::path::PathBuf;
-use trunnion::data::{ObservationsError, RunFiles};
+use clap::{ArgGroup, Args, ValueEnum};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use trunnion::data::{ObservationsError, Recorded, RunFiles, Stamp, curve_files};
+use trunnion::report as page;
 use trunnion::study::plan::subset;
-use trunnion::study::{Estimator, Failed, How, SetupError, fit_recorded, report_on, weigh};
+use trunnion::study::{
+    Estimator, Failed, How, Recording, Setup, SetupError, StudyError, fit_recorded, report_on, weigh,
+};
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::Model;
 
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("written").args(["report", "csv"]).multiple(true))]
 pub struct FitArguments {
     #[command(flatten)]
     model: ModelArguments,
@@ -44,6 +50,11 @@ pub struct FitArguments {
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
+    /// Writes each estimated function into this directory: a CSV file with its uncertainty.
+    #[arg(long, value_name = "DIR")]
+    csv: Option<PathBuf>,
+    #[command(flatten)]
+    report: ReportArguments,
 }
 
 /// An estimator's name.
@@ -96,10 +107,47 @@ impl FitArguments {
         for warning in &report.warnings {
             say(format_args!("warning: {warning}"));
         }
-        Ok(print(&match self.json {
-            true => format!("{:#}\n", document::report(&report, setup.radius())),
-            false => report.to_string(),
-        })?)
+        let named = given.iter().map(|(_, file)| PathBuf::from(file)).chain(self.table.clone());
+        let guard = self.report.guard(self.model.inputs().into_iter().chain(named));
+        let mut out = if self.json { String::new() } else { report.to_string() };
+        let mut html = None;
+        if self.json || self.report.is_wanted() {
+            let mut document = document::report(&setup, &report);
+            document["instrument"]["name"] = self.instrument.name(&setup.model).into();
+            document["made"] = self.report.made(&self.read(&setup, &recorded)?);
+            html = self.report.is_wanted().then(|| page::fit(&document, &setup, &report)).transpose()?;
+            if self.json {
+                out = format!("{document:#}\n");
+            }
+        }
+        if let Some(directory) = &self.csv {
+            let files = curve_files(&report, directory)?;
+            if files.iter().next().is_none() {
+                return Err(StudyError::NothingEstimated.into());
+            }
+            files.write(directory, &guard)?;
+        }
+        self.report.write(&guard, html)?;
+        Ok(print(&out)?)
+    }
+
+    /// The files that were read, each once.
+    fn read(&self, setup: &Setup, recorded: &[Recorded]) -> Result<Vec<Value>, ObservationsError> {
+        let mut files = vec![self.model.read()];
+        let mut runs: Vec<(&Path, String, &Recorded)> = Vec::new();
+        for own in recorded {
+            let run = &setup.model.runs[own.run()].name;
+            match runs.iter_mut().find(|(file, ..)| *file == own.file()) {
+                Some((_, names, _)) => *names = format!("{names}, {run}"),
+                None => runs.push((own.file(), format!("run {run}"), own)),
+            }
+        }
+        for (file, role, own) in runs {
+            files.push(read(&role, &file.display().to_string(), Some(own.stamp()?)));
+        }
+        let table = self.table.iter();
+        files.extend(table.map(|file| read("known functions", &file.display().to_string(), Stamp::of_file(file))));
+        Ok(files)
     }
 
     fn files(&self) -> Result<Vec<(&str, &str)>, Refused> {

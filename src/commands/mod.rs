@@ -16,6 +16,7 @@ pub mod output;
 mod pair;
 mod predicted;
 mod refused;
+mod reported;
 mod seen;
 mod simulated;
 mod stated;

@@ -3,10 +3,12 @@
 use super::Refused;
 use super::number;
 use super::pair::pair;
+use super::reported::read;
 use clap::Args;
+use serde_json::Value;
 use std::io::{ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
-use trunnion::data::{Radius, TextError, read_text};
+use trunnion::data::{Radius, Stamp, TextError, read_text};
 use trunnion::study::{Setup, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::model::Model;
@@ -56,6 +58,14 @@ impl ModelArguments {
     /// The files that are read.
     pub fn inputs(&self) -> Vec<PathBuf> {
         vec![PathBuf::from(&self.model)]
+    }
+
+    /// What is said of it as a file that was read.
+    pub fn read(&self) -> Value {
+        match catalogue::source(&self.model) {
+            Some(source) => read("model, built in", &self.model, Stamp::of(source.as_bytes()).ok()),
+            None => read("model", &self.model, Stamp::of_file(Path::new(&self.model))),
+        }
     }
 
     /// The model with its lengths, after a change.

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::data::{ObservationsError, RadiusError, TextError, WriteError};
 use trunnion::plot::PlotError;
+use trunnion::report::ReportError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
 use trunnion_codegen::graph::Unbound;
@@ -25,6 +26,8 @@ pub enum Refused {
     Write(#[from] WriteError),
     #[error(transparent)]
     Plot(#[from] PlotError),
+    #[error(transparent)]
+    Report(#[from] ReportError),
     #[error("{}", setup(.0))]
     Setup(#[from] SetupError),
     #[error("{}", estimate(.0))]

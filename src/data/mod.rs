@@ -8,6 +8,7 @@
 //! back as one [`FileError`] with every bad line in it. What cannot be seen: a file cut exactly at the end of a line.
 
 mod columns;
+mod curves;
 mod error;
 mod known;
 pub mod limits;
@@ -19,6 +20,7 @@ mod records;
 mod refused;
 mod runs;
 mod simulated;
+mod stamp;
 mod sweep;
 mod table;
 mod text;
@@ -26,14 +28,18 @@ mod truth;
 mod written;
 
 pub(crate) use columns::Wanted;
+pub use curves::curve_files;
 pub use error::{BadLines, FieldProblem, FileError, FileProblem, HeaderProblem, LineProblem, Need, Separator};
 pub(crate) use lines::{Line, Lines};
-pub use output::{Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture};
+pub use output::{
+    Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture, write_report,
+};
 pub use radius::{Radius, RadiusError};
 pub use recorded::Recorded;
 pub use refused::ObservationsError;
 pub use runs::{RunFiles, observations};
 pub use simulated::{simulation_files, write_simulation};
+pub use stamp::Stamp;
 pub use sweep::{Sweep, SweepSample};
 pub use table::{Known, KnownAtSamples, Table, TableValues};
 pub use text::{Encoding, TextError, read_text};

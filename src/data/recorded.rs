@@ -4,6 +4,7 @@ use super::error::{FileError, FileProblem};
 use super::known::KnownAlong;
 use super::limits::{KEPT, SAMPLES};
 use super::lines::{Lines, source};
+use super::stamp::Stamp;
 use super::sweep::{RunColumns, check};
 use crate::study::{Recording, Sample, Setup, Weighed};
 use std::cell::RefCell;
@@ -113,6 +114,20 @@ impl<'a> Recorded<'a> {
             Some(problem) => Err(FileError { file: file.to_owned(), problem }),
             None => Ok(Self { setup, run, weight: 1.0, columns, contents, known, headings, samples }),
         }
+    }
+
+    /// The file.
+    pub fn file(&self) -> &Path {
+        self.contents.file()
+    }
+
+    /// Which bytes it has.
+    ///
+    /// # Errors
+    /// It cannot be read again.
+    pub fn stamp(&self) -> Result<Stamp, FileError> {
+        let stamp = self.contents.again().and_then(Stamp::of);
+        stamp.map_err(|e| FileError { file: self.file().to_owned(), problem: e.into() })
     }
 
     /// Samples in it.

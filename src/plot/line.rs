@@ -60,7 +60,7 @@ impl Chart {
         let extents = (1..).zip(&self.panels).map(|(at, panel)| Extent::of(&panel.series, at));
         let extents = extents.collect::<Result<Vec<_>, _>>()?;
         let all = extents.iter().copied().reduce(Extent::join).ok_or(PlotError::NoPoints { panel: 1 })?;
-        let x = if self.x.unit == Unit::Deg { Ticks::degrees(all.x) } else { Ticks::decimal(all.x, 8) };
+        let x = if self.x.unit == Some(Unit::Deg) { Ticks::degrees(all.x) } else { Ticks::decimal(all.x, 8) };
         let mut top = if self.title.is_empty() { 8.0 } else { TITLE };
         let mut frames = Vec::new();
         for (at, extent) in extents.iter().enumerate() {

@@ -31,18 +31,23 @@ pub enum PlotError {
 pub struct Scale {
     /// What it shows.
     pub label: String,
-    /// Its unit; an axis in degrees has ticks at parts of a turn.
-    pub unit: Unit,
+    /// Its unit, none of a number of things; an axis in degrees has ticks at parts of a turn.
+    pub unit: Option<Unit>,
 }
 
 impl Scale {
     /// An axis.
     pub fn new(label: &str, unit: Unit) -> Self {
-        Self { label: label.to_owned(), unit }
+        Self { label: label.to_owned(), unit: Some(unit) }
+    }
+
+    /// An axis along which things are counted.
+    pub fn count(label: &str) -> Self {
+        Self { label: label.to_owned(), unit: None }
     }
 
     pub(crate) fn title(&self) -> String {
-        format!("{} / {}", self.label, self.unit.symbol())
+        self.unit.map_or_else(|| self.label.clone(), |unit| format!("{} / {}", self.label, unit.symbol()))
     }
 }
 
