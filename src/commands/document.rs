@@ -208,7 +208,7 @@ fn detailed(largest: &mut Value, budget: &Budget, detail: &Detail) {
             "source": i.source.to_string(),
             "quantity": i.quantity,
             "distribution": i.distribution.to_string(),
-            "bound": i.bound,
+            "bound": i.bound.map(|bound| stated(Unit::Mm, bound)),
             "divisor": i.distribution.divisor(),
             "std": i.std,
             "unit": i.unit,

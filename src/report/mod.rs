@@ -12,7 +12,7 @@ use crate::plot::PlotError;
 use crate::study::{Report, Setup};
 use serde_json::{Value, json};
 use thiserror::Error;
-use trunnion_codegen::emit::equations::{Equation, Section, mathml};
+use trunnion_codegen::emit::equations::{Equation, Section, mathml, symbols};
 
 /// Why there is no report.
 #[derive(Debug, Error)]
@@ -35,7 +35,8 @@ pub fn fit(document: &Value, setup: &Setup, report: &Report) -> Result<String, R
     let section =
         |s: &Section| json!({ "title": s.title, "equations": s.equations.iter().map(equation).collect::<Vec<_>>() });
     let equations: Vec<Value> = mathml(&setup.model, &setup.derivation).iter().map(section).collect();
-    let beside = json!({ "pictures": pictures::fit(report)?, "equations": equations });
+    let beside =
+        json!({ "pictures": pictures::fit(report)?, "equations": equations, "symbols": symbols(&setup.model) });
     Ok(page::rendered("fit.html", document, beside)?)
 }
 

@@ -29,6 +29,12 @@ pub(super) fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
+/// What was stated, without zeros behind it.
+pub(super) fn plain(x: f64) -> String {
+    let text = fixed(x, decimals(x, DIGITS));
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
 /// A number as a mantissa and a power of ten, or as it is where it is neither large nor small; the digits are those of
 /// [`beside`], the power is that of the larger of `value` and `uncertainty`.
 pub(super) fn scientific(x: f64, value: f64, uncertainty: f64) -> String {
@@ -53,6 +59,7 @@ mod tests {
         assert_eq!(pair(1234.5, 99.6), ("1234".to_owned(), "100".to_owned()));
         assert_eq!(pair(-0.0001, 0.0996), ("0.00".to_owned(), "0.10".to_owned()));
         assert_eq!(fixed(2.5, beside(2.5, 0.0)), "2.50000");
+        assert_eq!([150.0, 0.003, 100.0, -2.5].map(plain), ["150", "0.003", "100", "\u{2212}2.5"]);
     }
 
     #[test]

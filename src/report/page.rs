@@ -1,6 +1,6 @@
 //! Templates, and how they come to their numbers.
 
-use super::numbers::{beside, decimals, fixed, scientific};
+use super::numbers::{beside, decimals, fixed, plain, scientific};
 use crate::plot::{MADE, dark_style};
 use minijinja::value::Serde;
 use minijinja::{Environment, Error, ErrorKind, Output, State, escape_formatter};
@@ -31,11 +31,12 @@ pub(super) fn rendered(template: &str, document: &Value, beside: Value) -> Resul
     numbers(&mut environment, &Arc::new(document.clone()));
     environment.add_filter("pointer", |name: String| name.replace('~', "~0").replace('/', "~1"));
     environment.add_filter("symbol", symbol);
+    environment.add_filter("behind", behind);
     environment.add_global("made_by", minijinja::Value::from_safe_string(MADE.to_owned()));
     environment.add_global("dark", minijinja::Value::from_safe_string(dark_style(PICTURES)));
     let mut context = beside;
     context["d"] = document.clone();
-    environment.get_template(template)?.render(Serde(context))
+    Ok(environment.get_template(template)?.render(Serde(context))? + "\n")
 }
 
 /// Texts are shown, not obeyed: neither by the browser nor by who turns its text about.
@@ -46,10 +47,17 @@ fn seen(out: &mut Output, state: &mut State, value: &minijinja::Value) -> Result
     }
 }
 
-/// A unit as people write it.
+/// A unit as people write it; none of a share.
 fn symbol(suffix: String) -> String {
     let units = [Unit::Deg, Unit::Rad, Unit::Urad, Unit::Um, Unit::Mm];
-    units.into_iter().find(|unit| unit.suffix() == suffix).map_or(suffix, |unit| unit.symbol().to_owned())
+    let unit = units.into_iter().find(|unit| unit.suffix() == suffix);
+    unit.map_or(if suffix == "1" { String::new() } else { suffix }, |unit| unit.symbol().to_owned())
+}
+
+/// The same behind a number.
+fn behind(suffix: String) -> String {
+    let symbol = symbol(suffix);
+    if symbol.is_empty() || symbol == Unit::Deg.symbol() { symbol } else { format!("\u{a0}{symbol}") }
 }
 
 type Printed = Result<minijinja::Value, Error>;
@@ -63,6 +71,8 @@ fn numbers(environment: &mut Environment, document: &Arc<Value>) {
     environment.add_function("sig", move |at: String, digits: Option<i32>| {
         d.number(&at, |x| fixed(x, decimals(x, digits.unwrap_or(2))))
     });
+    let d = of();
+    environment.add_function("plain", move |at: String| d.number(&at, plain));
     let d = of();
     environment.add_function("val", move |at: String, uncertainty: String| {
         let u = d.value(&uncertainty)?.as_f64().unwrap_or(0.0);

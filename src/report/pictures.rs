@@ -60,12 +60,13 @@ fn residuals(trace: &Trace) -> Result<String, PlotError> {
         let mean = line(name, tone, points.iter().map(|p| (at(p), um(p.residual))).collect());
         several.then_some(band).into_iter().chain([mean])
     });
-    chart(Scale::new("swept angle", Unit::Deg), Scale::new("residual", Unit::Um), series.collect())
+    chart(Scale::new("swept angle", Unit::Deg), Scale::new("residual", Unit::Um), series.collect()).small_svg()
 }
 
 /// Its residuals counted, beside the normal distribution of their root mean square.
-fn counts(histogram: &Histogram, samples: usize, rms: f64) -> Result<String, PlotError> {
+fn counts(histogram: &Histogram, samples: usize, rms_um: f64) -> Result<String, PlotError> {
     let Histogram { from, width, counts, .. } = histogram;
+    let rms = Unit::Um.to_inner(rms_um);
     let ends = |bin: usize| [from + bin as f64 * width, from + (bin + 1) as f64 * width].map(um);
     let bars = counts.iter().enumerate().flat_map(|(bin, &count)| ends(bin).map(|x| (x, 0.0, count as f64)));
     let (low, high) = (*from, from + counts.len() as f64 * width);
@@ -79,7 +80,7 @@ fn counts(histogram: &Histogram, samples: usize, rms: f64) -> Result<String, Plo
         let mark = Mark::Dashed(normal.collect());
         series.push(Series { name: "normal with the same rms".to_owned(), tone: Tone::Black, mark });
     }
-    chart(Scale::new("residual", Unit::Um), Scale::count("samples"), series)
+    chart(Scale::new("residual", Unit::Um), Scale::count("samples"), series).small_svg()
 }
 
 /// A function, or the sum it is seen in, with its band; where that is not the function, the function's band around it.
@@ -101,11 +102,11 @@ fn curve(curve: &Curve) -> Result<String, PlotError> {
         Tone::Blue,
         curve.points.iter().map(|p| (p.at, p.value)).collect(),
     ));
-    chart(Scale::new(&curve.coordinate, curve.coordinate_unit), Scale::new(&label, curve.unit), series)
+    chart(Scale::new(&curve.coordinate, curve.coordinate_unit), Scale::new(&label, curve.unit), series).svg()
 }
 
-fn chart(x: Scale, y: Scale, series: Vec<Series>) -> Result<String, PlotError> {
-    Chart { title: String::new(), x, panels: vec![Panel { y, series }] }.svg()
+fn chart(x: Scale, y: Scale, series: Vec<Series>) -> Chart {
+    Chart { title: String::new(), x, panels: vec![Panel { y, series }] }
 }
 
 /// `eps_xa` as ε with an index, `EAA` as E with one.

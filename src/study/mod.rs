@@ -49,7 +49,9 @@ mod weigh;
 mod weighed_down;
 mod weights;
 
-pub use budget::{Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources};
+pub use budget::{
+    Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, coverage_factor,
+};
 pub use curve::{Curve, CurvePoint};
 pub use draw::{Population, SimulatedMachine};
 pub use estimate::{EstimateError, Failed, fit, fit_recorded, fit_with};

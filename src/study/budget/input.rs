@@ -72,6 +72,9 @@ pub enum Distribution {
     Normal,
     /// Anywhere within ± a bound alike.
     Rectangular,
+    /// A bound that holds at each reading, of an error that is a sum of slow waves over the sweep: what it makes of a result is
+    /// near normal.
+    Waves,
     /// As it comes out on drawn machines.
     Drawn,
 }
@@ -79,7 +82,7 @@ pub enum Distribution {
 impl Distribution {
     /// What a stated half width is divided by for a standard uncertainty; none where none is stated.
     pub fn divisor(self) -> Option<f64> {
-        (self == Self::Rectangular).then(|| 3f64.sqrt())
+        matches!(self, Self::Rectangular | Self::Waves).then(|| 3f64.sqrt())
     }
 }
 
@@ -89,6 +92,7 @@ impl fmt::Display for Distribution {
             Self::Student => "Student's t",
             Self::Normal => "normal",
             Self::Rectangular => "rectangular",
+            Self::Waves => "rectangular, in waves",
             Self::Drawn => "drawn",
         })
     }
@@ -103,7 +107,7 @@ pub struct Input {
     pub quantity: String,
     /// How it is distributed.
     pub distribution: Distribution,
-    /// Half width of its distribution, where that is rectangular.
+    /// Half width of its distribution, where that is stated.
     pub bound: Option<f64>,
     /// Its standard uncertainty.
     pub std: f64,
@@ -133,6 +137,7 @@ impl Detail {
             let (std, contribution) = (own(part.std), unit.from_inner(part.contribution));
             let distribution = match part.of {
                 Of::Scatter => Distribution::Student,
+                Of::Constant => Distribution::Waves,
                 Of::Table(_) => Distribution::Normal,
                 Of::Dropped => Distribution::Drawn,
                 _ => Distribution::Rectangular,

@@ -17,7 +17,7 @@ mod propagated;
 mod source;
 
 pub(super) use effects::without_table;
-pub use gum::{COVERAGE, Combined, combine};
+pub use gum::{COVERAGE, Combined, combine, coverage_factor};
 pub use input::{Detail, Distribution, Input};
 pub use instrument::Instrument;
 pub(super) use parts::any_shape;

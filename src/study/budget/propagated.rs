@@ -41,7 +41,7 @@ fn one(input: &Input, drawn: &[f64], random: &mut impl Rng) -> f64 {
     let contribution = input.contribution;
     match input.distribution {
         Distribution::Rectangular => contribution.std * 3f64.sqrt() * random.random_range(-1.0..=1.0),
-        Distribution::Normal => contribution.std * student(None, random),
+        Distribution::Normal | Distribution::Waves => contribution.std * student(None, random),
         Distribution::Student => contribution.std * student(contribution.degrees_of_freedom, random),
         Distribution::Drawn => drawn.get(random.random_range(0..drawn.len().max(1))).copied().unwrap_or(0.0),
     }

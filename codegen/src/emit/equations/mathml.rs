@@ -52,7 +52,18 @@ pub fn mathml(model: &Model, derivation: &Derivation) -> Vec<Section> {
 }
 
 fn equation(left: &str, right: &str) -> Equation {
-    Equation { left: format!("{left}<mo>=</mo>"), terms: terms(right) }
+    let between = |sign: &str| format!("<mo form=\"infix\">{sign}</mo>");
+    let mut terms = terms(right);
+    for term in terms.iter_mut().skip(1) {
+        // A sign at the beginning of an element would be the sign of what follows it.
+        for sign in ["+", "−"] {
+            if let Some(rest) = term.strip_prefix(&format!("<mo>{sign}</mo>")) {
+                *term = between(sign) + rest;
+                break;
+            }
+        }
+    }
+    Equation { left: left.to_owned() + &between("="), terms }
 }
 
 /// Cuts a sum before the signs that stand in no element.

@@ -15,4 +15,4 @@ pub use json::json;
 pub use latex::latex;
 pub use mathml::{Equation, Section, mathml};
 pub use printer::{Printer, Style};
-pub use text::text;
+pub use text::{symbols, text};
