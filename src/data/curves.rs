@@ -11,7 +11,7 @@ use trunnion_codegen::problems::visible;
 use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// A file of each estimated function that is seen, named after it: its coordinate and its value with standard and expanded
-/// uncertainty, under the names that a table of known functions has. Where it is seen in a sum, that is S, with its
+/// uncertainty; but for the last column as a table of known functions has them. Where it is seen in a sum, that is S, with its
 /// expanded uncertainty and that of the function.
 ///
 /// # Errors

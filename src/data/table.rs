@@ -70,7 +70,7 @@ pub struct KnownAtSamples {
 
 impl Table {
     /// Reads a table: column `<angle>_deg|_rad`, and `<name>_um|_mm` or `<name>_urad|_rad` for each function; its standard
-    /// uncertainty in `u_<name>_um`, where that is known. The expanded one, in `u95_<name>_um`, is not used.
+    /// uncertainty in `u_<name>_um`, where that is known.
     ///
     /// Nodes may come in any order, and twice with the same values.
     ///
@@ -78,16 +78,14 @@ impl Table {
     /// [`FileError`] where the file cannot be read or is no such file, an angle has two values, or there are fewer than
     /// two angles.
     pub fn read(file: &Path, angle: &str, functions: &[Known]) -> Result<Self, FileError> {
-        let named = |prefix: &str| functions.iter().map(|known| format!("{prefix}_{}", known.name)).collect();
-        let [uncertain, expanded]: [Vec<String>; 2] = ["u", "u95"].map(named);
-        let stated = functions.iter().cycle().zip(uncertain.iter().chain(&expanded));
+        let uncertain: Vec<String> = functions.iter().map(|known| format!("u_{}", known.name)).collect();
+        let stated = functions.iter().zip(&uncertain);
         let stated =
             stated.map(|(known, name)| Wanted { absent: Some(0.0), ..Wanted::new(name, deviation(known.quantity)) });
         let columns: Vec<Wanted> = wanted(angle, functions).into_iter().chain(stated).collect();
         let mut nodes: Vec<Node> = Lines::open(file, &columns)?.all(SAMPLES, Need::Interpolation, |line| {
             let (angle_rad, rest) = line.values.split_first()?;
-            let (values, rest) = rest.split_at_checked(functions.len())?;
-            let (stds, _) = rest.split_at_checked(functions.len())?;
+            let (values, stds) = rest.split_at_checked(functions.len())?;
             Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), stds: stds.to_vec(), line: line.line })
         })?;
         nodes.sort_by(|a, b| a.angle_rad.total_cmp(&b.angle_rad));

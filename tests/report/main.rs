@@ -179,10 +179,16 @@ fn curves_read_back_as_a_table_of_known_functions() {
     let at = directory.path();
     let (document, _) = fitted(at, &["--csv", "curves"]);
     let known = [Known { name: "eps_xa".to_owned(), quantity: Quantity::Angle }];
-    let table = Table::read(&at.join("curves/eps_xa.csv"), "a", &known).unwrap();
+    let written = fs::read_to_string(at.join("curves/eps_xa.csv")).unwrap();
+    let (columns, last): (Vec<&str>, Vec<&str>) = written.lines().skip(1).filter_map(|l| l.rsplit_once(',')).unzip();
+    assert_eq!((columns[0], last[0]), ("a_deg,eps_xa_urad,u_eps_xa_urad", "u95_eps_xa_urad"));
+    fs::write(at.join("known.csv"), columns.join("\n") + "\n").unwrap();
+    let table = Table::read(&at.join("known.csv"), "a", &known).unwrap();
     let points = document["functions"][0]["points"].as_array().unwrap();
-    assert_eq!(points.len(), 72);
-    for point in points {
+    assert_eq!((points.len(), last.len()), (72, 73));
+    for (point, u95) in points.iter().zip(&last[1..]) {
+        let printed = u95.parse::<f64>().unwrap();
+        assert!((printed - point["u95"].as_f64().unwrap()).abs() <= 1e-12 * printed);
         let number = |key: &str| point[key].as_f64().unwrap();
         let read = table.at(Unit::Deg.to_inner(number("a_deg"))).unwrap();
         for (read, key) in [(read.values[0], "value"), (read.stds[0], "std")] {

@@ -8,6 +8,7 @@ use crate::commands::reported::ReportArguments;
 use clap::{ArgGroup, Args};
 use serde_json::json;
 use std::path::PathBuf;
+use trunnion::data::Unit;
 use trunnion::exechon::{Gauge, OffsetReport, ReversalReport, offset_report};
 use trunnion::report as page;
 use trunnion::study::{COVERAGE, coverage_factor};
@@ -64,22 +65,24 @@ impl OffsetArguments {
                 "residual_std_mm": fit.residual_std,
             })
         };
+        let parts = reversal.map(|reversal| reversal.parts);
         let formulas = |reversal: ReversalReport| {
             json!({
                 "exact_mm": reversal.exact,
                 "small_angle_mm": reversal.small_angle,
                 "standard_uncertainty_mm": reversal.uncertainty,
                 "expanded_uncertainty_mm": reversal.uncertainty.map(|std| factor * std),
+                "correlation": reversal.correlation,
             })
         };
-        let input = |quantity: &str, stated: f64, of: &str, divisor: f64| {
+        let input = |(quantity, stated, of, std): (&str, f64, &str, f64), contribution: Option<[f64; 2]>| {
             json!({
                 "quantity": quantity,
                 "stated_um": stated,
                 "as": of,
                 "distribution": "normal",
-                "divisor": divisor,
-                "std_um": stated / divisor,
+                "std_um": Unit::Um.from_inner(std),
+                "contribution_mm": contribution,
             })
         };
         let report = json!({
@@ -89,8 +92,8 @@ impl OffsetArguments {
             "coverage": COVERAGE,
             "coverage_factor": factor,
             "inputs": [
-                input("a touch", self.repeatability, "two standard deviations", 2.0),
-                input("the ring's radius", self.accuracy, "two standard deviations of its diameter", 4.0),
+                input(("a touch", self.repeatability, "two standard deviations", gauge.touch), parts.map(|p| p[0])),
+                input(("the ring's radius", self.accuracy, "two of its diameter", gauge.ring), parts.map(|p| p[1])),
             ],
             "made": self.report.made(&read_files(&self.which, &self.file)),
         });
