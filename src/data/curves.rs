@@ -29,12 +29,15 @@ pub fn curve_files(report: &Report, directory: &Path) -> Result<Files, WriteErro
     Ok(files)
 }
 
+/// A column's name without its unit, and what is in it.
+type Column = (String, fn(&CurvePoint) -> f64);
+
 fn contents(curve: &Curve) -> Result<Vec<u8>, WriteProblem> {
     let quantity = if curve.unit == Unit::Urad { Quantity::Angle } else { Quantity::Length };
     let name = &curve.name;
     let (value, std) = (|p: &CurvePoint| p.value, |p: &CurvePoint| p.std);
     let (u95, sum_u95) = (|p: &CurvePoint| p.u95, |p: &CurvePoint| p.sum_u95);
-    let columns: [(String, fn(&CurvePoint) -> f64); 3] = match curve.told.extent {
+    let columns: [Column; 3] = match curve.told.extent {
         Extent::UpTo => [("S".to_owned(), value), ("u95_S".to_owned(), sum_u95), (format!("u95_{name}"), u95)],
         _ => [(name.clone(), value), (format!("u_{name}"), std), (format!("u95_{name}"), u95)],
     };

@@ -3,8 +3,10 @@
 use super::canvas::{FRAME, GRID, INK, Ink, PAPER, ZERO};
 use super::series::Tone;
 
+type Rgb = (u8, u8, u8);
+
 /// What stands for each colour of a line chart, a polar chart or a sketch: as far from a dark ground as they are from white.
-fn pairs() -> [((u8, u8, u8), (u8, u8, u8)); 10] {
+fn pairs() -> [(Rgb, Rgb); 10] {
     let of = |ink: Ink| ink.rgb();
     [
         (of(PAPER), (22, 25, 29)),
@@ -22,8 +24,8 @@ fn pairs() -> [((u8, u8, u8), (u8, u8, u8)); 10] {
 
 /// Rules of CSS that turn pictures within elements of a class to their dark colours.
 pub fn dark_style(class: &str) -> String {
-    let rule = |(light, dark): ((u8, u8, u8), (u8, u8, u8))| {
-        let hex = |(r, g, b): (u8, u8, u8)| format!("#{r:02X}{g:02X}{b:02X}");
+    let rule = |(light, dark): (Rgb, Rgb)| {
+        let hex = |(r, g, b): Rgb| format!("#{r:02X}{g:02X}{b:02X}");
         let (light, dark) = (hex(light), hex(dark));
         ["fill", "stroke"].map(|part| format!(".{class} [{part}=\"{light}\"]{{{part}:{dark}}}\n")).concat()
     };

@@ -45,7 +45,7 @@ fn change(file: &Path, column: &str, with: impl Fn(f64, f64) -> f64) {
 
 fn wave(k: usize, angle: f64) -> f64 {
     let (sin, cos) = (k.div_ceil(2) as f64 * angle).sin_cos();
-    0.2f64.sqrt() * if k % 2 == 0 && k > 0 { sin } else { cos }
+    0.2f64.sqrt() * if k.is_multiple_of(2) && k > 0 { sin } else { cos }
 }
 
 fn number(value: &Value, at: &str) -> f64 {
