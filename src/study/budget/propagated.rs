@@ -90,7 +90,7 @@ mod tests {
         near(&[input(Distribution::Student, 1.0, Some(4))], 2.776_445);
         near(&[input(Distribution::Student, 1.0, Some(30))], 2.042_272);
         let rectangle = input(Distribution::Rectangular, 1.0, None);
-        near(&[rectangle.clone()], 0.95 * 3f64.sqrt());
+        near(std::slice::from_ref(&rectangle), 0.95 * 3f64.sqrt());
         near(&[rectangle.clone(), rectangle], 2.0 * 3f64.sqrt() * (1.0 - 0.05f64.sqrt()));
     }
 
