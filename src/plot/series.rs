@@ -31,7 +31,7 @@ pub enum PlotError {
 pub struct Scale {
     /// What it shows.
     pub label: String,
-    /// Its unit, none of a number of things; an axis in degrees has ticks at parts of a turn.
+    /// Its unit, none of a share; an axis in degrees has ticks at parts of a turn.
     pub unit: Option<Unit>,
 }
 
@@ -41,13 +41,13 @@ impl Scale {
         Self { label: label.to_owned(), unit: Some(unit) }
     }
 
-    /// An axis along which things are counted.
-    pub fn count(label: &str) -> Self {
+    /// An axis in parts of a hundred.
+    pub fn percent(label: &str) -> Self {
         Self { label: label.to_owned(), unit: None }
     }
 
     pub(crate) fn title(&self) -> String {
-        self.unit.map_or_else(|| self.label.clone(), |unit| format!("{} / {}", self.label, unit.symbol()))
+        format!("{} / {}", self.label, self.unit.map_or("%", Unit::symbol))
     }
 }
 

@@ -68,19 +68,20 @@ fn counts(histogram: &Histogram, samples: usize, rms_um: f64) -> Result<String, 
     let Histogram { from, width, counts, .. } = histogram;
     let rms = Unit::Um.to_inner(rms_um);
     let ends = |bin: usize| [from + bin as f64 * width, from + (bin + 1) as f64 * width].map(um);
-    let bars = counts.iter().enumerate().flat_map(|(bin, &count)| ends(bin).map(|x| (x, 0.0, count as f64)));
+    let share = |count: usize| 100.0 * count as f64 / samples.max(1) as f64;
+    let bars = counts.iter().enumerate().flat_map(|(bin, &count)| ends(bin).map(|x| (x, 0.0, share(count))));
     let (low, high) = (*from, from + counts.len() as f64 * width);
     let normal = (0..=STEPS).map(|k| {
         let x = low + (high - low) * k as f64 / STEPS as f64;
         let density = (-0.5 * (x / rms).powi(2)).exp() / (rms * TAU.sqrt());
-        (um(x), density * width * samples as f64)
+        (um(x), 100.0 * density * width)
     });
     let mut series = vec![Series { name: String::new(), tone: Tone::Blue, mark: Mark::Band(bars.collect()) }];
     if rms > 0.0 {
         let mark = Mark::Dashed(normal.collect());
         series.push(Series { name: "normal with the same rms".to_owned(), tone: Tone::Black, mark });
     }
-    chart(Scale::new("residual", Unit::Um), Scale::count("samples"), series).small_svg()
+    chart(Scale::new("residual", Unit::Um), Scale::percent("samples"), series).small_svg()
 }
 
 /// A function, or the sum it is seen in, with its band; where that is not the function, the function's band around it.
