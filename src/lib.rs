@@ -35,6 +35,7 @@
 //! | write the NC program of a run | [`program`] |
 //! | say what has changed between reports | [`history`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
+//! | make a page of a fit that one hands over | [`report`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
 //! Lengths are in mm and angles in rad wherever a name or a [`data::Unit`] does not say otherwise.
@@ -47,6 +48,7 @@ pub mod import;
 pub mod plot;
 pub mod program;
 pub mod project;
+pub mod report;
 pub mod study;
 
 pub use study::{Estimator, Setup};

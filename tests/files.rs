@@ -252,6 +252,47 @@ mod unix {
         assert_eq!(names(at), of(&["out", "demo", "pictures"]), "the next run clears");
     }
 
+    /// Kills a fit at random times, most of them while it writes its report and its curves.
+    #[test]
+    fn a_killed_fit_leaves_whole_files_or_none() {
+        let directory = tempfile::tempdir().unwrap();
+        let at = directory.path();
+        good(at, &[&SIMULATE[..], &["in"]].concat());
+        let runs = ["--run", "tilting=in/tilting.csv", "--run", "separation=in/separation.csv"];
+        let fit = [&["fit", "tilting-table-a"], &runs[..], &["--report", "r.html", "--csv", "curves"]].concat();
+        let started = Instant::now();
+        good(at, &fit);
+        let usual = started.elapsed();
+        let mut random = 7u64;
+        for turn in 0..24u32 {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let part = (random >> 40) as f64 / (1u64 << 24) as f64;
+            if turn % 3 == 0 {
+                let _ = (fs::remove_file(at.join("r.html")), fs::remove_dir_all(at.join("curves")));
+            }
+            let mut child = command(at, &fit).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+            if turn % 2 == 0 {
+                std::thread::sleep(usual.mul_f64(0.7 + 0.3 * part));
+            } else {
+                let staged = [".r.html.trunnion", ".curves.trunnion"].map(|name| at.join(name));
+                while child.try_wait().unwrap().is_none() && !staged.iter().any(|path| path.exists()) {
+                    std::thread::sleep(Duration::from_micros(20));
+                }
+                std::thread::sleep(Duration::from_micros((part * 1000.0) as u64));
+            }
+            child.kill().unwrap();
+            child.wait().unwrap();
+            if let Ok(html) = fs::read_to_string(at.join("r.html")) {
+                assert!(html.starts_with("<!doctype html>") && html.ends_with("</html>\n"), "turn {turn}");
+            }
+            if let Ok(curve) = fs::read_to_string(at.join("curves/eps_xa.csv")) {
+                assert_eq!(curve.lines().count(), 74, "turn {turn}");
+            }
+        }
+        good(at, &fit);
+        assert_eq!(names(at), of(&["in", "r.html", "curves"]), "the next run clears");
+    }
+
     #[test]
     fn an_interrupt_leaves_nothing() {
         let directory = tempfile::tempdir().unwrap();

@@ -1,20 +1,26 @@
 //! `trunnion fit`: errors and their uncertainty from measurement files.
 
-use super::model::ModelArguments;
+use super::model::{ModelArguments, Source};
 use super::output::{print, say};
 use super::pair::pair;
+use super::reported::{ReportArguments, read};
 use super::stated::{InstrumentArguments, LimitArguments};
 use super::{Refused, document, seen};
-use clap::{Args, ValueEnum};
+use clap::{ArgGroup, Args, ValueEnum};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
-use trunnion::data::{Columns, ObservationsError, Project, Recorded, RunFiles};
+use trunnion::data::{Columns, ObservationsError, Project, Recorded, RunFiles, Stamp, curve_files};
+use trunnion::report as page;
 use trunnion::study::plan::subset;
-use trunnion::study::{Estimator, Failed, How, SetupError, fit_recorded, report_on, weigh};
+use trunnion::study::{
+    Estimator, Failed, How, Recording, Setup, SetupError, StudyError, fit_recorded, report_on, weigh,
+};
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::Model;
 
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("written").args(["report", "csv"]).multiple(true))]
 pub struct FitArguments {
     #[command(flatten)]
     model: ModelArguments,
@@ -49,6 +55,11 @@ pub struct FitArguments {
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
+    /// Writes each estimated function into this directory: a CSV file with its uncertainty.
+    #[arg(long, value_name = "DIR")]
+    csv: Option<PathBuf>,
+    #[command(flatten)]
+    report: ReportArguments,
 }
 
 /// An estimator's name.
@@ -116,10 +127,31 @@ impl FitArguments {
         for warning in &report.warnings {
             say(format_args!("warning: {warning}"));
         }
-        Ok(print(&match self.json {
-            true => format!("{:#}\n", document::report(&report, setup.radius())),
-            false => report.to_string(),
-        })?)
+        let named = given.iter().map(|(_, file)| PathBuf::from(file)).chain(table.map(Path::to_owned));
+        let guard = self.report.guard(source.inputs().into_iter().chain(named));
+        let mut out = if self.json { String::new() } else { report.to_string() };
+        let mut html = None;
+        if self.json || self.report.is_wanted() {
+            let mut document = document::report(&setup, &report);
+            document["instrument"]["name"] = self.instrument.name(&setup.model).into();
+            if let Some(project) = project {
+                document::at_hand(&mut document, &project.machine);
+            }
+            document["made"] = self.report.made(&files_read(&source, &setup, &recorded, table));
+            html = self.report.is_wanted().then(|| page::fit(&document, &setup, &report)).transpose()?;
+            if self.json {
+                out = format!("{document:#}\n");
+            }
+        }
+        if let Some(directory) = &self.csv {
+            let files = curve_files(&report, directory)?;
+            if files.iter().next().is_none() {
+                return Err(StudyError::NothingEstimated.into());
+            }
+            files.write(directory, &guard)?;
+        }
+        self.report.write(&guard, html)?;
+        Ok(print(&out)?)
     }
 
     /// The runs' files: those given, else the project's.
@@ -154,6 +186,24 @@ impl FitArguments {
         let others: Vec<_> = of_project.filter(|(run, _)| given.iter().all(|(name, _)| name != run)).collect();
         Ok([given, others].concat())
     }
+}
+
+/// The files that were read, each once.
+fn files_read(source: &Source, setup: &Setup, recorded: &[Recorded], table: Option<&Path>) -> Vec<Value> {
+    let mut runs: Vec<(&Path, String)> = Vec::new();
+    for own in recorded {
+        let run = &setup.model.runs[own.run()].name;
+        match runs.iter_mut().find(|(file, _)| *file == own.file()) {
+            Some((_, names)) if names.split(", ").any(|name| name == run || name.strip_prefix("run ") == Some(run)) => {
+            }
+            Some((_, names)) => *names = format!("{names}, {run}"),
+            None => runs.push((own.file(), format!("run {run}"))),
+        }
+    }
+    let table = table.map(|file| (file, "known functions".to_owned()));
+    let named = runs.into_iter().chain(table);
+    let read = named.map(|(file, role)| read(&role, &file.display().to_string(), Stamp::of_file(file)));
+    source.read().into_iter().chain(read).collect()
 }
 
 /// Whether a run is that of a name, or one of its three displacements.

@@ -20,6 +20,7 @@ pub mod output;
 mod pair;
 mod predicted;
 mod refused;
+mod reported;
 mod seen;
 pub mod shell;
 mod simulated;

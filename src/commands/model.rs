@@ -3,10 +3,12 @@
 use super::Refused;
 use super::number;
 use super::pair::pair;
+use super::reported::read;
 use clap::Args;
+use serde_json::Value;
 use std::io::{ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
-use trunnion::data::{PROJECT, Project, Radius, TextError, read_text};
+use trunnion::data::{PROJECT, Project, Radius, Stamp, TextError, read_text};
 use trunnion::study::{Setup, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::model::Model;
@@ -25,6 +27,18 @@ impl Source {
     pub fn inputs(&self) -> Vec<PathBuf> {
         let named = [Some(&self.described.model), self.described.stated.as_ref()];
         named.into_iter().flatten().map(|text| PathBuf::from(&text.name)).collect()
+    }
+
+    /// What is said of them as files that were read.
+    pub fn read(&self) -> Vec<Value> {
+        let Named { name, text } = &self.described.model;
+        let model = match catalogue::source(name) {
+            Some(_) => read("model, built in", name, Stamp::of(text.as_bytes()).ok()),
+            None => read("model", name, Stamp::of_file(Path::new(name))),
+        };
+        let project = self.described.stated.as_ref();
+        let project = project.map(|own| read("project", &own.name, Stamp::of_file(Path::new(&own.name))));
+        [model].into_iter().chain(project).collect()
     }
 
     /// The model.

@@ -78,6 +78,11 @@ pub struct Picture {
 }
 
 impl Picture {
+    /// One that is asked for, or none.
+    pub fn new(svg: Option<PathBuf>, force: bool) -> Self {
+        Self { svg, force }
+    }
+
     /// Draws it, if it is asked for, but never in place of what the command reads.
     pub fn draw<E: From<WriteError>>(
         &self,

@@ -13,6 +13,7 @@ use trunnion::data::{
 use trunnion::history::HistoryError;
 use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
+use trunnion::report::ReportError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
 use trunnion_codegen::graph::Unbound;
@@ -40,6 +41,8 @@ pub enum Refused {
     Circular(#[from] CircularError),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Trace(PathBuf, TraceError),
+    #[error(transparent)]
+    Report(#[from] ReportError),
     #[error("{}", setup(.0))]
     Setup(#[from] SetupError),
     #[error("{}", estimate(.0))]

@@ -123,6 +123,11 @@ pub struct InstrumentArguments {
 }
 
 impl InstrumentArguments {
+    /// The instrument whose published errors are taken, where they are.
+    pub fn name(&self, model: &Model) -> Option<String> {
+        self.instrument.clone().or_else(|| model.instrument.as_ref()?.preset.clone())
+    }
+
     /// The model's instrument with what is given here in its place.
     pub fn instrument(&self, model: &Model) -> Result<Instrument, Refused> {
         let preset = |name: &String| {

@@ -11,6 +11,7 @@
 
 mod called;
 mod columns;
+mod curves;
 mod decoded;
 mod dialect;
 mod error;
@@ -29,6 +30,7 @@ mod refused;
 mod runs;
 mod separator;
 mod simulated;
+mod stamp;
 mod sweep;
 mod table;
 mod text;
@@ -37,11 +39,14 @@ mod written;
 
 pub use called::{Columns, ColumnsError};
 pub(crate) use columns::Wanted;
+pub use curves::curve_files;
 pub use error::{BadLines, FieldProblem, FileError, FileProblem, HeaderProblem, LineProblem, Need};
 pub use imported::{Form, ImportedFile, import};
 pub(crate) use lines::{Line, Lines};
 pub use native::{NativeError, native_files};
-pub use output::{Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture};
+pub use output::{
+    Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture, write_report,
+};
 pub use project::{MachineAtHand, PROJECT, Project, ProjectError, ProjectRun};
 pub use radius::{Radius, RadiusError};
 pub use recorded::Recorded;
@@ -49,6 +54,7 @@ pub use refused::ObservationsError;
 pub use runs::{RunFiles, observations};
 pub use separator::Separator;
 pub use simulated::{simulation_files, write_simulation};
+pub use stamp::Stamp;
 pub use sweep::{Sweep, SweepSample};
 pub use table::{Known, KnownAtSamples, Table, TableValues};
 pub use text::{Encoding, TextError, read_document, read_text};

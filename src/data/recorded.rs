@@ -124,6 +124,11 @@ impl<'a> Recorded<'a> {
         self.trace.as_ref().map(|trace| (self.file.as_path(), trace))
     }
 
+    /// The file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
     /// Samples in it.
     pub fn samples(&self) -> usize {
         self.samples

@@ -24,7 +24,7 @@ pub use offset::{Gauge, OffsetReport, ReversalReport, offset_report};
 pub use paper::{ExperimentError, Experiments, OffsetRow, RING_CENTRES, experiments};
 pub use pictures::{PictureError, drm_map, machine_picture, quintic_picture, ring_picture};
 pub use plan::{Feature, PlanError, PlannedTouch, plan};
-pub use ring::{RingError, RingReport, ring_report, ring_report_of};
+pub use ring::{ExpandedCircle, RingError, RingReport, ring_report, ring_report_of};
 pub use simulate::{Probe, SimulatedTouch, simulate};
 pub use solved::{Coordinates, SolvedPose, forward, inverse};
 

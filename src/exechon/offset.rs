@@ -46,6 +46,10 @@ pub struct ReversalReport {
     pub small_angle: [f64; 2],
     /// Standard uncertainty, mm.
     pub uncertainty: [f64; 2],
+    /// What the touches and what the ring's radius put into it, mm.
+    pub parts: [[f64; 2]; 2],
+    /// Correlation of both coordinates: they have the radius in common.
+    pub correlation: f64,
 }
 
 /// The offset from a file of touches (`x_mm,y_mm,z_mm,spindle_deg`).
@@ -87,10 +91,15 @@ fn reversal(touches: &[Touch<f64>], gauge: &Gauge) -> Option<ReversalReport> {
     let centre = [middle(range(0, 0.0)), middle(range(1, 0.0))];
     let farthest = |k: usize| at(PI).max_by(|a, b| a[k].total_cmp(&b[k]));
     let touches = Reversal { centre, x: farthest(0)?, y: farthest(1)?, radius: gauge.radius };
-    let covariance = touches.covariance(gauge.touch, gauge.ring).ok()?;
+    let covariance = |touch, ring| touches.covariance(touch, ring).ok();
+    let stds = |covariance: [[f64; 2]; 2]| [covariance[0][0].sqrt(), covariance[1][1].sqrt()];
+    let all = covariance(gauge.touch, gauge.ring)?;
+    let [x, y] = stds(all);
     Some(ReversalReport {
         exact: touches.exact().ok()?,
         small_angle: touches.small_angle(),
-        uncertainty: [covariance[0][0].sqrt(), covariance[1][1].sqrt()],
+        uncertainty: [x, y],
+        parts: [stds(covariance(gauge.touch, 0.0)?), stds(covariance(0.0, gauge.ring)?)],
+        correlation: if x * y > 0.0 { all[0][1] / (x * y) } else { 0.0 },
     })
 }

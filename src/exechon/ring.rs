@@ -2,6 +2,7 @@
 
 use super::input::{InputError, touches};
 use super::{ALONG, PointError, rotation_at};
+use crate::study::coverage_factor;
 use std::path::Path;
 use trunnion_solver::circle::{CircleError, CircleFit, Zone, least_squares, minimum_zone};
 use trunnion_solver::exechon::Machine;
@@ -33,7 +34,31 @@ pub enum RingError {
     Circle(#[from] CircleError),
 }
 
+/// Expanded uncertainties of a least-squares circle, 95 %, mm: from the scatter of the touches alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExpandedCircle {
+    /// Coverage factor: Student's t.
+    pub factor: f64,
+    /// Of the centre's coordinates.
+    pub centre: [f64; 2],
+    /// Of the diameter.
+    pub diameter: f64,
+}
+
 impl RingReport {
+    /// Degrees of freedom of the scatter: three touches make a circle.
+    pub fn degrees_of_freedom(&self) -> usize {
+        self.deviations.len().saturating_sub(3)
+    }
+
+    /// How well the touches determine the circle; none where they leave no scatter.
+    pub fn expanded(&self) -> Option<ExpandedCircle> {
+        let covariance = self.fit.scatter?.covariance;
+        let factor = coverage_factor(u32::try_from(self.degrees_of_freedom()).ok());
+        let half = |k: usize| factor * covariance[(k, k)].sqrt();
+        Some(ExpandedCircle { factor, centre: [half(0), half(1)], diameter: 2.0 * half(2) })
+    }
+
     /// Diameter of the ring that was touched from inside with a ball of this diameter, mm.
     pub fn diameter(&self, stylus: f64) -> f64 {
         2.0 * self.fit.circle.radius + stylus

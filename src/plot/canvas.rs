@@ -25,6 +25,8 @@ pub(crate) const ZERO: Ink = Ink { rgb: (150, 150, 150), alpha: 1.0, width: 1.0 
 /// The frame around a panel.
 pub(crate) const FRAME: Ink = Ink { rgb: (70, 70, 70), alpha: 1.0, width: 1.0 };
 
+/// Letters.
+pub(crate) const INK: (u8, u8, u8) = (30, 30, 30);
 /// Behind a text that stands on lines.
 pub(crate) const PAPER: Ink = Ink { rgb: (255, 255, 255), alpha: 0.85, width: 0.0 };
 
@@ -55,6 +57,10 @@ impl Ink {
 
     pub(crate) const fn fill(rgb: (u8, u8, u8)) -> Self {
         Self { rgb, alpha: 1.0, width: 0.0 }
+    }
+
+    pub(crate) const fn rgb(self) -> (u8, u8, u8) {
+        self.rgb
     }
 
     fn style(self, filled: bool) -> ShapeStyle {
@@ -130,7 +136,7 @@ impl Canvas<'_> {
         };
         let font = ("Helvetica, Arial, sans-serif", size * FINE * FONT).into_font();
         let turned = if matches!(anchor, Anchor::Upward) { font.transform(FontTransform::Rotate270) } else { font };
-        let style = turned.color(&RGBColor(30, 30, 30)).into_text_style(&self.area);
+        let style = turned.color(&RGBColor(INK.0, INK.1, INK.2)).into_text_style(&self.area);
         let style = style.pos(Pos::new(h_pos, VPos::Center));
         self.area.draw(&Text::new(visible(text).into_owned(), fine(at), style)).map_err(failed)
     }

@@ -2,19 +2,28 @@
 
 use std::f64::consts::FRAC_PI_6;
 
-use super::canvas::{Anchor, Canvas, FRAME, GRID, Ink, ZERO, draw, width};
+use super::canvas::{Anchor, Canvas, FRAME, GRID, Ink, ZERO, draw, width as width_of};
 use super::series::{Extent, Mark, PlotError, Scale, Series, Tone};
 use super::ticks::Ticks;
 use trunnion_codegen::quantity::Unit;
 
-const WIDTH: f64 = 760.0;
 const LEFT: f64 = 78.0;
 const RIGHT: f64 = 24.0;
 const TITLE: f64 = 40.0;
 const LEGEND: f64 = 26.0;
 const BOTTOM: f64 = 50.0;
-/// Heights of the first panel and of those below it.
-const HEIGHTS: (f64, f64) = (270.0, 150.0);
+/// How large a chart is.
+#[derive(Clone, Copy)]
+struct Size {
+    width: f64,
+    /// Of the first panel.
+    first: f64,
+    /// Of those below it.
+    other: f64,
+}
+
+const LARGE: Size = Size { width: 760.0, first: 270.0, other: 150.0 };
+const SMALL: Size = Size { width: 500.0, first: 165.0, other: 110.0 };
 const TEXT: f64 = 13.0;
 
 /// A line chart.
@@ -39,6 +48,7 @@ pub struct Panel {
 
 /// A panel's place on the sheet and its axes.
 struct Frame<'a> {
+    width: f64,
     x: &'a Ticks,
     y: Ticks,
     top: f64,
@@ -48,7 +58,7 @@ struct Frame<'a> {
 impl Frame<'_> {
     fn at(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
-        let across = LEFT + share(x, self.x.range) * (WIDTH - LEFT - RIGHT);
+        let across = LEFT + share(x, self.x.range) * (self.width - LEFT - RIGHT);
         (across, self.top + (1.0 - share(y, self.y.range)) * self.height)
     }
 }
@@ -59,6 +69,18 @@ impl Chart {
     /// # Errors
     /// [`PlotError`] for a panel without points or with values that cannot be drawn.
     pub fn svg(&self) -> Result<String, PlotError> {
+        self.drawn(LARGE)
+    }
+
+    /// The same for half the width of a page.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn small_svg(&self) -> Result<String, PlotError> {
+        self.drawn(SMALL)
+    }
+
+    fn drawn(&self, Size { width, first, other }: Size) -> Result<String, PlotError> {
         let extents = (1..).zip(&self.panels).map(|(at, panel)| Extent::of(&panel.series, at));
         let extents = extents.collect::<Result<Vec<_>, _>>()?;
         let all = extents.iter().copied().reduce(Extent::join).ok_or(PlotError::NoPoints { panel: 1 })?;
@@ -66,15 +88,15 @@ impl Chart {
         let mut top = if self.title.is_empty() { 8.0 } else { TITLE };
         let mut frames = Vec::new();
         for (at, extent) in extents.iter().enumerate() {
-            let (height, most) = if at == 0 { (HEIGHTS.0, 6) } else { (HEIGHTS.1, 4) };
+            let (height, most) = if at == 0 { (first, 6) } else { (other, 4) };
             top += LEGEND;
-            frames.push(Frame { x: &x, y: Ticks::decimal(extent.y, most), top, height });
+            frames.push(Frame { width, x: &x, y: Ticks::decimal(extent.y, most), top, height });
             top += height + 12.0;
         }
         let bottom = top - 12.0;
-        draw((WIDTH as u32, (bottom + BOTTOM) as u32), |canvas| {
+        draw((width as u32, (bottom + BOTTOM) as u32), |canvas| {
             if !self.title.is_empty() {
-                canvas.text(&self.title, (WIDTH / 2.0, TITLE * 0.55), TEXT + 3.0, Anchor::Centre)?;
+                canvas.text(&self.title, (width / 2.0, TITLE * 0.55), TEXT + 3.0, Anchor::Centre)?;
             }
             for (frame, panel) in frames.iter().zip(&self.panels) {
                 axes(canvas, frame, &panel.y)?;
@@ -82,10 +104,10 @@ impl Chart {
                 panel.series.iter().try_for_each(|series| draw_mark(canvas, series, |point| frame.at(point)))?;
             }
             for tick in &x.at {
-                let across = LEFT + (tick - x.range.0) / (x.range.1 - x.range.0) * (WIDTH - LEFT - RIGHT);
+                let across = LEFT + (tick - x.range.0) / (x.range.1 - x.range.0) * (width - LEFT - RIGHT);
                 canvas.text(&x.label(*tick), (across, bottom + 15.0), TEXT, Anchor::Centre)?;
             }
-            let middle = (LEFT + WIDTH - RIGHT) / 2.0;
+            let middle = (LEFT + width - RIGHT) / 2.0;
             canvas.text(&self.x.title(), (middle, bottom + 37.0), TEXT + 1.0, Anchor::Centre)
         })
     }
@@ -120,7 +142,7 @@ pub(crate) fn legend(canvas: &Canvas, series: &[Series], (mut x, y): (f64, f64))
             Mark::Arrow(_) => continue,
         }
         canvas.text(name, (end + 7.0, y), TEXT, Anchor::Left)?;
-        x = end + 7.0 + width(name, TEXT) + 22.0;
+        x = end + 7.0 + width_of(name, TEXT) + 22.0;
     }
     Ok(())
 }

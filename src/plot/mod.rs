@@ -6,6 +6,7 @@
 //! see red and green alike (Okabe and Ito).
 
 mod canvas;
+mod dark;
 mod line;
 mod map;
 mod polar;
@@ -14,6 +15,7 @@ mod sketch;
 mod ticks;
 
 pub use canvas::MADE;
+pub use dark::dark_style;
 pub use line::{Chart, Panel};
 pub use map::HeatMap;
 pub use polar::{PolarChart, Rim};

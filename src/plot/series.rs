@@ -46,6 +46,11 @@ impl Scale {
         Self { label: label.to_owned(), unit: None }
     }
 
+    /// An axis in parts of a hundred.
+    pub fn percent(label: &str) -> Self {
+        Self::plain(&format!("{label} / %"))
+    }
+
     pub(crate) fn title(&self) -> String {
         match self.unit {
             Some(unit) => format!("{} / {}", self.label, unit.symbol()),

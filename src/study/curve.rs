@@ -1,6 +1,6 @@
 //! An estimated function over the range of the data, with its band and what linearisation leaves in it.
 
-use super::budget::{Budget, Sources};
+use super::budget::{Budget, Combined, Detail, Sources};
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
 use super::seen::Seen;
@@ -31,6 +31,8 @@ pub struct Curve {
     pub points: Vec<CurvePoint>,
     /// Where its uncertainty is largest, and the budget there, in its unit.
     pub largest: Option<(f64, Budget)>,
+    /// The rows of that budget.
+    pub detail: Option<Detail>,
     /// The largest systematic error that the dropped second-order terms can leave in it, in its unit.
     pub neglected: f64,
     /// The same on machines drawn within the limits: root mean square where it is largest, in its unit.
@@ -52,8 +54,19 @@ pub struct CurvePoint {
     pub std: f64,
     /// Expanded uncertainty of the same, 95 %.
     pub u95: f64,
+    /// Coverage factor of that.
+    pub factor: f64,
     /// Expanded uncertainty as the sum's value; the same where the function is determined.
     pub sum_u95: f64,
+    /// Coverage factor of that.
+    pub sum_factor: f64,
+}
+
+impl Curve {
+    /// The point with the largest value; none of a function that is not seen.
+    pub fn extreme(&self) -> Option<&CurvePoint> {
+        self.points.iter().max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))
+    }
 }
 
 /// Terms of second order that are named with a function.
@@ -80,10 +93,10 @@ pub(super) fn curve(
         let x = coordinate_unit.to_inner(at);
         let (value, noise_std) = fit.function(setup, function, x);
         let budget = sources.function(seen, x).times(unit.from_inner(1.0));
-        let (std, u95) = (budget.combined.std, budget.combined.expanded);
-        let sum_u95 = budget.of_the_sum().combined.expanded;
+        let (Combined { std, expanded: u95, factor, .. }, of_the_sum) = (budget.combined, budget.of_the_sum().combined);
+        let (sum_u95, sum_factor) = (of_the_sum.expanded, of_the_sum.factor);
         let (value, noise_std) = (unit.from_inner(value), unit.from_inner(noise_std));
-        points.push(CurvePoint { at, value, noise_std, std, u95, sum_u95 });
+        points.push(CurvePoint { at, value, noise_std, std, u95, factor, sum_u95, sum_factor });
         if largest.as_ref().is_none_or(|(_, before): &(f64, Budget)| u95 > before.combined.expanded) {
             largest = Some((at, budget));
         }
@@ -92,6 +105,7 @@ pub(super) fn curve(
         dropped = dropped.max(unit.from_inner(sensitivity.observations().zip(bounds).map(sum).sum::<f64>()));
     }
     let coordinates: Vec<f64> = points.iter().map(|p| coordinate_unit.to_inner(p.at)).collect();
+    let detail = largest.as_ref().map(|(at, _)| sources.detail(seen, coordinate_unit.to_inner(*at), unit));
     let left = systematic(setup, observations, fit, seen, limits, &coordinates)?;
     let scaled = |t: &Contribution| Contribution {
         name: t.name.clone(),
@@ -107,6 +121,7 @@ pub(super) fn curve(
         coordinate_unit,
         points,
         largest,
+        detail,
         neglected: dropped,
         neglected_typical: unit.from_inner(left.typical),
         neglected_terms: left.terms.iter().take(NAMED_TERMS).filter(|t| t.typical > 0.0).map(scaled).collect(),

@@ -4,14 +4,16 @@
 //! then the others with those coefficients put in, their covariance carried along
 //! ([`Order`](trunnion_solver::lstsq::Order)).
 
+use super::histogram::{Counting, Histogram};
 use super::hysteresis::Averages;
 use super::misfit::{Look, Looking};
 pub use super::observation::{Observation, Sample};
 use super::recording::Recording;
-use super::rows::{Rows, blocks};
+use super::rows::{Rows, Taken, blocks};
 use super::seen::Seen;
 use super::separation::Separation;
 use super::setup::Setup;
+use super::trace::{Trace, Tracing};
 use super::weighed_down::WeighedDown;
 use super::weights::Weights;
 use nalgebra::{DMatrix, DVector};
@@ -99,6 +101,10 @@ pub struct Fit {
     pub rms: Vec<f64>,
     /// What each observation's residuals look like.
     pub looks: Vec<Look>,
+    /// Each observation over its sweep.
+    pub traces: Vec<Trace>,
+    /// Each observation's residuals, counted.
+    pub histograms: Vec<Histogram>,
     /// Each observation's readings in either direction.
     pub(super) averages: Vec<Averages>,
     /// How well the samples separate the base parameters.
@@ -143,12 +149,19 @@ impl Fit {
     ) -> Result<(), R::Error> {
         for (at, recording) in recordings.iter().enumerate() {
             let (mut looking, mut averages) = (Looking::default(), Averages::default());
+            let (mut tracing, mut counting) = (Tracing::default(), Counting::default());
             let on_sample = |sample: &Sample| {
                 averages.add(sample);
                 each(at, sample);
             };
-            self.residuals_of(setup, recording, on_sample, |residual| looking.add(residual))?;
+            self.residuals_of(setup, recording, on_sample, |taken, residual| {
+                looking.add(residual);
+                tracing.add(taken, residual);
+                counting.add(residual);
+            })?;
             let mut look = looking.look();
+            self.traces.push(tracing.trace());
+            self.histograms.push(counting.histogram(look.deviation));
             if !self.weighed_down.is_empty() {
                 // They are told as what was weighed down.
                 look.spikes.clear();
@@ -163,7 +176,7 @@ impl Fit {
     /// Readings less what the estimate makes of them, mm, in the order of the samples.
     pub fn residuals(&self, setup: &Setup, observation: &Observation) -> Vec<f64> {
         let mut residuals = Vec::with_capacity(observation.samples.len());
-        let Ok(()) = self.residuals_of(setup, observation, |_| {}, |residual| residuals.push(residual));
+        let Ok(()) = self.residuals_of(setup, observation, |_| {}, |_, residual| residuals.push(residual));
         residuals
     }
 
@@ -172,11 +185,12 @@ impl Fit {
         setup: &Setup,
         recording: &R,
         on_sample: impl FnMut(&Sample),
-        mut each: impl FnMut(f64),
+        mut each: impl FnMut(Taken, f64),
     ) -> Result<(), R::Error> {
         let places = self.places(setup, recording.run());
         blocks(setup, recording, on_sample, |rows| {
-            self.residual(rows, &places).iter().take(rows.samples()).for_each(|&residual| each(residual));
+            let residuals = self.residual(rows, &places);
+            rows.taken().iter().zip(residuals).for_each(|(taken, residual)| each(*taken, residual));
         })
     }
 

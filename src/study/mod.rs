@@ -10,6 +10,7 @@ mod estimate;
 mod estimated;
 mod fill;
 mod fit;
+mod histogram;
 mod hysteresis;
 mod limits;
 mod misfit;
@@ -41,6 +42,7 @@ mod supplement;
 mod systematic;
 mod text;
 mod told;
+mod trace;
 mod track;
 mod visited;
 mod warning;
@@ -48,11 +50,14 @@ mod weigh;
 mod weighed_down;
 mod weights;
 
-pub use budget::{Budget, COVERAGE, Combined, Instrument, Line, Source, Sources};
+pub use budget::{
+    Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, coverage_factor,
+};
 pub use curve::{Curve, CurvePoint};
 pub use draw::{Population, SimulatedMachine};
 pub use estimate::{EstimateError, Failed, fit, fit_recorded, fit_with};
 pub use fit::{Estimator, Fit, How, Observation, Sample, Variance};
+pub use histogram::Histogram;
 pub use hysteresis::Hysteresis;
 pub use limits::ErrorLimits;
 pub use misfit::{Look, Misfit, Mistake, Odd};
@@ -73,6 +78,7 @@ pub use studies::{Drawn, Errors, MachineErrors, Study, StudyError, design_warnin
 pub use supplement::{Checked, supplement};
 pub use systematic::{Contribution, Systematic, systematic};
 pub use told::Told;
+pub use trace::{Trace, TracePoint};
 pub use trunnion_solver::sized::LARGEST;
 pub use visited::{marks, visited};
 pub use warning::{WARN_CONDITION, Warning};

@@ -3,12 +3,14 @@
 use super::budget::{Budget, Instrument, Sources};
 use super::curve::{Curve, curve};
 use super::fit::{Estimator, Fit, Observation};
+use super::histogram::Histogram;
 use super::hysteresis::{Hysteresis, hysteresis};
 use super::limits::ErrorLimits;
 use super::misfit::Look;
 use super::neglected::neglected;
 use super::recording::Few;
 use super::setup::{Setup, SetupError, coordinate};
+use super::trace::Trace;
 use super::warning::{Warning, warnings};
 use super::weighed_down::WeighedDown;
 use trunnion_codegen::algebra::{Nominal, Poly};
@@ -30,6 +32,10 @@ pub struct Report {
     /// Each run: name, samples, root mean square of its residuals in µm; of one that was measured several times each time, with
     /// its number after the name.
     pub runs: Vec<(String, usize, f64)>,
+    /// What each of `runs` read over its sweep, and its residuals.
+    pub traces: Vec<Trace>,
+    /// How often residuals of each of `runs` are of which size.
+    pub histograms: Vec<Histogram>,
     /// The estimated base parameters.
     pub coefficients: Vec<EstimatedCoefficient>,
     /// The estimated functions.
@@ -144,6 +150,8 @@ pub fn report_on(
         limits,
         instrument: *instrument,
         runs: fit.looks.iter().enumerate().map(run).collect(),
+        traces: fit.traces.clone(),
+        histograms: fit.histograms.clone(),
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
         functions,
         condition: fit.separation.condition,

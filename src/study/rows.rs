@@ -7,6 +7,17 @@ use trunnion_codegen::graph::{BlockEvaluator, LANES, Lanes};
 use trunnion_codegen::ids::RunId;
 use trunnion_solver::sized::{Work, vectorised};
 
+/// What is told of a sample with its residual.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Taken {
+    /// The sweep, rad.
+    pub sweep: f64,
+    /// Which way it goes.
+    pub direction: f64,
+    /// The reading, mm.
+    pub reading: f64,
+}
+
 /// A block of samples with their rows.
 pub(super) struct Rows<'a> {
     setup: &'a Setup,
@@ -14,7 +25,7 @@ pub(super) struct Rows<'a> {
     evaluator: BlockEvaluator<'a>,
     regressors: usize,
     samples: usize,
-    readings: Lanes,
+    taken: [Taken; LANES],
     /// Values of each known function.
     known: Vec<Lanes>,
     /// One sample's inputs.
@@ -47,7 +58,7 @@ impl<'a> Rows<'a> {
             evaluator,
             regressors: derived.regressors.len(),
             samples: 0,
-            readings: [0.0; LANES],
+            taken: [Taken::default(); LANES],
             known: vec![[0.0; LANES]; derived.known.len()],
             inputs,
         }
@@ -58,6 +69,11 @@ impl<'a> Rows<'a> {
         self.samples
     }
 
+    /// The samples in the block.
+    pub fn taken(&self) -> &[Taken] {
+        &self.taken[..self.samples]
+    }
+
     /// The regressors of the base parameters that the run sees, in the derivation's order, each at every sample.
     pub fn regressors(&self) -> impl Iterator<Item = &Lanes> {
         (0..self.regressors).filter_map(|at| self.evaluator.output(at))
@@ -65,7 +81,7 @@ impl<'a> Rows<'a> {
 
     /// Each sample's reading less what the known functions put into it.
     pub fn explained(&self) -> Lanes {
-        let mut explained = self.readings;
+        let mut explained = self.taken.map(|taken| taken.reading);
         for (at, known) in self.known.iter().enumerate() {
             let Some(factors) = self.evaluator.output(self.regressors + at) else { continue };
             for (y, (factor, known)) in explained.iter_mut().zip(factors.iter().zip(known)) {
@@ -82,7 +98,7 @@ impl<'a> Rows<'a> {
         for (lanes, &input) in self.evaluator.inputs().iter_mut().zip(&self.inputs).skip(first) {
             lanes[lane] = input;
         }
-        self.readings[lane] = sample.reading;
+        self.taken[lane] = Taken { sweep: sample.sweep, direction: sample.direction, reading: sample.reading };
         for (lanes, &known) in self.known.iter_mut().zip(&sample.known) {
             lanes[lane] = known;
         }

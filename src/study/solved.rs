@@ -59,6 +59,8 @@ pub fn fit<R: Recording>(
         degrees_of_freedom: solved.degrees_of_freedom,
         rms: Vec::new(),
         looks: Vec::new(),
+        traces: Vec::new(),
+        histograms: Vec::new(),
         averages: Vec::new(),
         weighed_down: Vec::new(),
         steps,

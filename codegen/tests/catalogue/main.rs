@@ -3,6 +3,7 @@
 mod derivative;
 mod exact;
 mod harmonics;
+mod mathml;
 mod numbers;
 mod printed;
 mod rank;

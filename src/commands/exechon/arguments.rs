@@ -1,9 +1,12 @@
 //! What several commands of the parallel machine take.
 
 use super::ExechonRefused;
+use crate::commands::reported::read;
 use clap::{Args, ValueEnum};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
-use trunnion::exechon::{Coordinates, read_machine};
+use trunnion::data::Stamp;
+use trunnion::exechon::{BUILT_IN, Coordinates, read_machine};
 use trunnion_solver::exechon::{Machine, Tilted};
 
 /// Which machine.
@@ -25,6 +28,15 @@ impl Which {
         let name = self.machine.clone().unwrap_or_else(|| "src/exechon/xt700.toml".into());
         read_machine(self.machine.as_deref()).map_err(|problem| ExechonRefused::Machine(name, problem))
     }
+}
+
+/// What is said of the files of a command that reads touches.
+pub fn read_files(which: &Which, touches: &Path) -> Vec<Value> {
+    let machine = which.machine.as_deref().map_or_else(
+        || read("machine, built in", "src/exechon/xt700.toml", Stamp::of(BUILT_IN.as_bytes()).ok()),
+        |file| read("machine", &file.display().to_string(), Stamp::of_file(file)),
+    );
+    vec![machine, read("touches", &touches.display().to_string(), Stamp::of_file(touches))]
 }
 
 /// Coordinates of points and directions in files.

@@ -1,17 +1,22 @@
 //! `trunnion exechon offset`: a probe's offset from touches in a ring.
 
 use super::ExechonRefused;
-use super::arguments::Which;
+use super::arguments::{Which, read_files};
 use crate::commands::number;
 use crate::commands::output::print;
-use clap::Args;
+use crate::commands::reported::ReportArguments;
+use clap::{ArgGroup, Args};
 use serde_json::json;
 use std::path::PathBuf;
+use trunnion::data::Unit;
 use trunnion::exechon::{Gauge, OffsetReport, ReversalReport, offset_report};
+use trunnion::report as page;
+use trunnion::study::{COVERAGE, coverage_factor};
 use trunnion_solver::probe::OffsetFit;
 
 /// Arguments of `offset`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("written").args(["report"]))]
 pub struct OffsetArguments {
     /// Touches: CSV with the columns x_mm,y_mm,z_mm,spindle_deg, the spindle axis at each touch in machine coordinates.
     ///
@@ -31,6 +36,8 @@ pub struct OffsetArguments {
     #[arg(long, value_name = "UM", default_value_t = 1.0, value_parser = number::noise, allow_negative_numbers = true)]
     accuracy: f64,
     #[command(flatten)]
+    report: ReportArguments,
+    #[command(flatten)]
     which: Which,
 }
 
@@ -46,27 +53,52 @@ impl OffsetArguments {
         }
         let machine = self.which.read()?;
         let OffsetReport { with_rotation, spindle_alone, reversal } = offset_report(&machine, &self.file, &gauge)?;
+        let factor = coverage_factor(None);
         let fit = |fit: &OffsetFit<f64>| {
+            let std = [fit.covariance[(0, 0)].sqrt(), fit.covariance[(1, 1)].sqrt()];
             json!({
                 "offset_mm": fit.offset,
-                "standard_uncertainty_mm": [fit.covariance[(0, 0)].sqrt(), fit.covariance[(1, 1)].sqrt()],
+                "standard_uncertainty_mm": std,
+                "expanded_uncertainty_mm": std.map(|std| factor * std),
                 "centre_mm": fit.centre,
                 "effective_radius_mm": fit.radius,
                 "residual_std_mm": fit.residual_std,
             })
         };
+        let parts = reversal.map(|reversal| reversal.parts);
         let formulas = |reversal: ReversalReport| {
             json!({
                 "exact_mm": reversal.exact,
                 "small_angle_mm": reversal.small_angle,
                 "standard_uncertainty_mm": reversal.uncertainty,
+                "expanded_uncertainty_mm": reversal.uncertainty.map(|std| factor * std),
+                "correlation": reversal.correlation,
+            })
+        };
+        let input = |(quantity, stated, of, std): (&str, f64, &str, f64), contribution: Option<[f64; 2]>| {
+            json!({
+                "quantity": quantity,
+                "stated_um": stated,
+                "as": of,
+                "distribution": "normal",
+                "std_um": Unit::Um.from_inner(std),
+                "contribution_mm": contribution,
             })
         };
         let report = json!({
             "with_dependent_rotation": fit(&with_rotation),
             "spindle_angle_taken_as_it_is": fit(&spindle_alone),
             "reversal": reversal.map(formulas),
+            "coverage": COVERAGE,
+            "coverage_factor": factor,
+            "inputs": [
+                input(("a touch", self.repeatability, "two standard deviations", gauge.touch), parts.map(|p| p[0])),
+                input(("the ring's radius", self.accuracy, "two of its diameter", gauge.ring), parts.map(|p| p[1])),
+            ],
+            "made": self.report.made(&read_files(&self.which, &self.file)),
         });
+        let html = self.report.is_wanted().then(|| page::offset(&report)).transpose()?;
+        self.report.write(&self.report.guard(self.which.inputs().chain([self.file.as_path()])), html)?;
         Ok(print(&format!("{report:#}\n"))?)
     }
 }

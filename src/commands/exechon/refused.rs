@@ -8,6 +8,7 @@ use trunnion::exechon::{
     CompensationError, ExperimentError, InputError, MachineFileError, NcError, PictureError, PlanError,
 };
 use trunnion::plot::PlotError;
+use trunnion::report::ReportError;
 
 /// Why a command was refused.
 #[derive(Debug, Error)]
@@ -20,6 +21,8 @@ pub enum ExechonRefused {
     Write(#[from] WriteError),
     #[error(transparent)]
     Plot(#[from] PlotError),
+    #[error(transparent)]
+    Report(#[from] ReportError),
     #[error(transparent)]
     Picture(#[from] PictureError),
     #[error("{0}\n  expected a ring within the workspace, and at least 7 touches")]

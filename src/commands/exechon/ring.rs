@@ -1,18 +1,22 @@
 //! `trunnion exechon ring`: what a probed ring shows.
 
 use super::ExechonRefused;
-use super::arguments::Which;
+use super::arguments::{Which, read_files};
 use crate::commands::number;
 use crate::commands::output::{Picture, print};
-use clap::Args;
-use serde_json::json;
+use crate::commands::reported::ReportArguments;
+use clap::{ArgGroup, Args};
+use serde_json::{Value, json};
 use std::path::PathBuf;
 use trunnion::data::Unit;
 use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
+use trunnion::report as page;
+use trunnion::study::COVERAGE;
 use trunnion_solver::circle::Scatter;
 
 /// Arguments of `ring`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("written").args(["svg", "report"]).multiple(true))]
 pub struct RingArguments {
     /// Touches: CSV with the columns x_mm,y_mm,z_mm and perhaps spindle_deg, the spindle axis in machine coordinates.
     file: PathBuf,
@@ -29,8 +33,11 @@ pub struct RingArguments {
     /// One JSON document instead of text.
     #[arg(long)]
     json: bool,
+    /// Draws it (SVG) into this file, in place of an earlier picture.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
     #[command(flatten)]
-    picture: Picture,
+    report: ReportArguments,
     #[command(flatten)]
     which: Which,
 }
@@ -46,17 +53,24 @@ impl RingArguments {
         }
         let machine = self.which.read()?;
         let report = ring_report_of(&machine, &self.file, self.offset, self.step.to_radians())?;
-        let inputs = self.which.inputs().chain([self.file.as_path()]);
-        self.picture.draw(inputs, || Ok::<_, ExechonRefused>(ring_picture(&[("", &report)], "Circular deviation")?))?;
-        Ok(print(&if self.json { self.document(&report) } else { self.text(&report) })?)
+        let document = self.document(&report);
+        let html = self.report.is_wanted().then(|| page::ring(&document, &report)).transpose()?;
+        let inputs = || self.which.inputs().chain([self.file.as_path()]);
+        let picture = Picture::new(self.svg.clone(), self.report.force);
+        picture.draw(inputs(), || Ok::<_, ExechonRefused>(ring_picture(&[("", &report)], "Circular deviation")?))?;
+        self.report.write(&self.report.guard(inputs()), html)?;
+        Ok(print(&if self.json { format!("{document:#}\n") } else { self.text(&report) })?)
     }
 
-    fn document(&self, report: &RingReport) -> String {
+    fn document(&self, report: &RingReport) -> Value {
         let (fit, zone, [inner, outer]) = (&report.fit, &report.zone, report.zone_diameters(self.stylus));
         let places = report.spread.iter().map(|(angle, n, mean, std)| {
             json!({ "angle_deg": angle.to_degrees(), "touches": n, "mean_mm": mean, "std_mm": std })
         });
-        let document = json!({
+        let expanded = report.expanded();
+        let deviations = report.deviations.iter();
+        let deviations = deviations.map(|(at, mm)| json!({ "angle_deg": at.to_degrees(), "deviation_mm": mm }));
+        json!({
             "touches": report.deviations.len(),
             "least_squares": {
                 "centre_mm": fit.circle.centre,
@@ -68,7 +82,12 @@ impl RingArguments {
                     "centre": [covariance[(0, 0)].sqrt(), covariance[(1, 1)].sqrt()],
                     "diameter": 2.0 * covariance[(2, 2)].sqrt(),
                 })),
+                "degrees_of_freedom": report.degrees_of_freedom(),
+                "coverage_factor": expanded.map(|e| e.factor),
+                "expanded_uncertainty_mm": expanded.map(|e| json!({ "centre": e.centre, "diameter": e.diameter })),
             },
+            "coverage": COVERAGE,
+            "deviations": deviations.collect::<Vec<_>>(),
             "minimum_zone": {
                 "centre_mm": zone.centre,
                 "inner_diameter_mm": inner,
@@ -77,8 +96,8 @@ impl RingArguments {
             },
             "places": places.collect::<Vec<_>>(),
             "largest_std_mm": report.largest_std(),
-        });
-        format!("{document:#}\n")
+            "made": self.report.made(&read_files(&self.which, &self.file)),
+        })
     }
 
     fn text(&self, report: &RingReport) -> String {

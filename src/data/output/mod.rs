@@ -52,6 +52,14 @@ pub fn write_picture(file: &Path, svg: &str, guard: &Guard) -> Result<(), WriteE
     replace(file, svg.as_bytes(), guard).map_err(|problem| WriteError { file: file.to_owned(), problem })
 }
 
+/// Writes a report as [`write_picture`] a picture: it says of itself by [`MADE`](crate::plot::MADE) that it is one.
+///
+/// # Errors
+/// The same.
+pub fn write_report(file: &Path, html: &str, guard: &Guard) -> Result<(), WriteError> {
+    write_picture(file, html, guard)
+}
+
 /// Writes a file so that it is there whole or not at all, in place of any other; else as [`write_picture`].
 ///
 /// # Errors

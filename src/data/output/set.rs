@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use super::Guard;
 use super::error::{WriteError, WriteProblem};
-use super::own::{Listed, contents};
+use super::own::{INDEX, Listed, contents};
 use super::place::{beside, followed};
 use super::stage::{Lock, Stage, remove};
 
@@ -133,7 +133,9 @@ struct Earlier {
 
 impl Earlier {
     fn of(out: &Path, files: &Files) -> io::Result<Self> {
-        let mut earlier = Self { listed: Listed::of(out), own: Vec::new(), others: false };
+        // Files that have no index replace none that has one.
+        let listed = if files.0.contains_key(INDEX) { Listed::of(out) } else { Listed::default() };
+        let mut earlier = Self { listed, own: Vec::new(), others: false };
         for entry in fs::read_dir(out).into_iter().flatten() {
             let entry = entry?;
             let name = entry.file_name().to_string_lossy().into_owned();

@@ -34,8 +34,8 @@ impl<'a> Limited<'a> {
         Self { setup, limits, shapes: setup.model.functions.keys().filter_map(shape).collect() }
     }
 
-    /// Standard uncertainty of a sum, each error anywhere within its limit: `√(Σ largest²/3)` (GUM 4.3.7).
-    pub fn std(&self, sum: &Sum) -> f64 {
+    /// The errors of a sum, each with the most that a unit of it adds.
+    pub fn largest(&self, sum: &Sum) -> Vec<(ErrorId, f64)> {
         let mut functions: BTreeMap<FunctionId, Vec<f64>> = BTreeMap::new();
         let mut constants: BTreeMap<ErrorId, f64> = BTreeMap::new();
         for &(origin, factor) in sum {
@@ -48,13 +48,11 @@ impl<'a> Limited<'a> {
                 }
             }
         }
-        let constant = |(error, factor): (&ErrorId, &f64)| factor * self.limit(*error);
         let function = |(function, h): (&FunctionId, &Vec<f64>)| {
             let largest = self.shapes.get(function).map_or(0.0, |shape| shape.largest(h));
-            largest * self.limit(self.setup.model.functions[*function].error)
+            (self.setup.model.functions[*function].error, largest)
         };
-        let largest = constants.iter().map(constant).chain(functions.iter().map(function));
-        (largest.map(|l| l * l).sum::<f64>() / 3.0).sqrt()
+        constants.into_iter().chain(functions.iter().map(function)).collect()
     }
 
     /// The limit of an error, mm or rad.

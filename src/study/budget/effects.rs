@@ -1,19 +1,38 @@
 //! What each source of uncertainty does to the base parameters.
 
+use super::input::{Of, Part};
 use super::instrument::Instrument;
-use super::parts::{Ignored, Parts};
+use super::parts::{Ignored, Parts, std as size};
+use super::source::Source;
 use crate::study::fit::{Fit, Observation};
 use crate::study::setup::Setup;
 use crate::study::slow::{SLOW, slow};
+use nalgebra::DVector;
+use trunnion_codegen::algebra::ErrorId;
 use trunnion_codegen::ids::FunctionId;
 
 /// The instrument's parts by source: what stays the same from reading to reading and from run to run, what is proportional to
 /// the reading, the bar's length, its temperature.
 pub(super) struct Instrumental {
-    pub constant: Parts,
-    pub proportional: Parts,
-    pub bar_length: Parts,
-    pub temperature: Parts,
+    stated: Instrument,
+    constant: Parts,
+    proportional: Parts,
+    bar_length: Parts,
+    temperature: Parts,
+}
+
+impl Instrumental {
+    /// What each puts into a combination of base parameters.
+    pub fn parts(&self, functional: &DVector<f64>) -> [Part; 4] {
+        let part = |source, of, std, parts| Part { source, of, std, contribution: size(parts, functional) };
+        let Self { stated, constant, proportional, bar_length, temperature } = self;
+        [
+            part(Source::Instrument, Of::Constant, stated.constant, constant),
+            part(Source::Proportional, Of::Proportional, stated.proportional, proportional),
+            part(Source::BarLength, Of::BarLength, stated.bar_length, bar_length),
+            part(Source::Temperature, Of::Temperature, stated.temperature, temperature),
+        ]
+    }
 }
 
 pub(super) fn instrumental(
@@ -32,6 +51,7 @@ pub(super) fn instrumental(
     let bar = |at: usize| observations.get(at).and_then(|o| setup.bar(o.run)).unwrap_or(0.0);
     let has_bar = |at: usize| if bar(at) > 0.0 { 1.0 } else { 0.0 };
     Instrumental {
+        stated: *instrument,
         constant,
         proportional: one(&|_, reading| reading * instrument.proportional),
         bar_length: one(&|at, _| has_bar(at) * instrument.bar_length),
@@ -44,8 +64,25 @@ fn known(setup: &Setup, observations: &[Observation]) -> Vec<FunctionId> {
     setup.known(observations.iter().map(|o| o.run))
 }
 
-/// The parts of the tables of known functions, as uncertain as their columns say.
-pub(super) fn tables(setup: &Setup, observations: &[Observation], fit: &Fit) -> Parts {
+/// The tables of known functions, as uncertain as their columns say.
+pub(super) struct Tables {
+    /// Each function with the root mean square of its standard uncertainty over the readings.
+    stds: Vec<(ErrorId, f64)>,
+    parts: Parts,
+}
+
+impl Tables {
+    /// What each puts into a combination of base parameters.
+    pub fn parts<'a>(&'a self, functional: &'a DVector<f64>) -> impl Iterator<Item = Part> + 'a {
+        self.stds.iter().enumerate().map(|(at, &(error, std))| {
+            let own = self.parts.columns(at * SLOW, SLOW);
+            let contribution = own.tr_mul(functional).norm();
+            Part { source: Source::Tables, of: Of::Table(error), std, contribution }
+        })
+    }
+}
+
+pub(super) fn tables(setup: &Setup, observations: &[Observation], fit: &Fit) -> Tables {
     let known = known(setup, observations);
     let places = |o: &Observation| -> Vec<Option<usize>> {
         let own = setup.derivation.runs[o.run].known.iter();
@@ -53,14 +90,21 @@ pub(super) fn tables(setup: &Setup, observations: &[Observation], fit: &Fit) -> 
     };
     let places: Vec<Vec<Option<usize>>> = observations.iter().map(places).collect();
     let mut shape = [0.0; SLOW];
-    fit.responses(setup, observations, known.len() * SLOW, |d, by| {
+    let mut squares = vec![(0.0, 0.0); known.len()];
+    let parts = fit.responses(setup, observations, known.len() * SLOW, |d, by| {
         slow(d.sample.sweep, &mut shape);
         // What is taken off the reading is wrong by as much.
         for ((factor, std), place) in d.factors.iter().zip(&d.sample.known_std).zip(&places[d.observation]) {
             let Some(at) = place else { continue };
+            let (sum, count) = &mut squares[*at];
+            (*sum, *count) = (*sum + std * std, *count + 1.0);
             by[at * SLOW..(at + 1) * SLOW].iter_mut().zip(&shape).for_each(|(b, s)| *b += factor * std * s);
         }
-    })
+    });
+    let rms = |(&function, (sum, count)): (&FunctionId, (f64, f64))| {
+        (setup.model.functions[function].error, (sum / f64::max(count, 1.0)).sqrt())
+    };
+    Tables { stds: known.iter().zip(squares).map(rms).collect(), parts }
 }
 
 /// The known functions that the runs see and that were taken as zero, with their factors in every reading.

@@ -39,6 +39,12 @@ pub fn combine(contributions: impl IntoIterator<Item = Contribution>, probabilit
     Combined { std: square.sqrt(), degrees_of_freedom, factor, expanded: factor * square.sqrt() }
 }
 
+/// The coverage factor of every interval that is reported, of a standard uncertainty with these degrees of freedom; none for
+/// one that is taken as exactly known.
+pub fn coverage_factor(degrees_of_freedom: Option<u32>) -> f64 {
+    student(degrees_of_freedom.map_or(f64::INFINITY, f64::from), COVERAGE)
+}
+
 /// Student's t: the interval ±t holds `probability`.
 fn student(degrees_of_freedom: f64, probability: f64) -> f64 {
     let below = 0.5 + probability / 2.0;

@@ -1,13 +1,17 @@
 //! What wrong lengths of the set-up do: the rows are evaluated at other places than the balls are.
 
+use super::input::{Of, Part};
 use super::parts::Parts;
+use super::source::Source;
 use crate::study::fit::{Fit, Observation, Sample};
 use crate::study::seen::Seen;
 use crate::study::setup::Setup;
 use nalgebra::DVector;
+use trunnion_codegen::algebra::NominalId;
 
 /// Each length with a stated limit, off by its standard uncertainty.
 pub(super) struct Lengths {
+    stds: Vec<(NominalId, f64)>,
     changed: Vec<Setup>,
     /// What each does to the base parameters.
     responses: Parts,
@@ -15,11 +19,13 @@ pub(super) struct Lengths {
 
 impl Lengths {
     pub fn new(setup: &Setup, observations: &[Observation], fit: &Fit) -> Self {
-        let off = |&(constant, limit): &(_, f64)| {
-            let name = setup.model.alphabet.nominal_name(constant);
-            setup.with_constant(constant, setup.constant(&name) + limit / 3f64.sqrt())
+        let stated = setup.model.limits.constants.iter();
+        let stds: Vec<(NominalId, f64)> = stated.map(|&(length, limit)| (length, limit / 3f64.sqrt())).collect();
+        let off = |&(length, std): &(NominalId, f64)| {
+            let name = setup.model.alphabet.nominal_name(length);
+            setup.with_constant(length, setup.constant(&name) + std)
         };
-        let changed: Vec<Setup> = setup.model.limits.constants.iter().map(off).collect();
+        let changed: Vec<Setup> = stds.iter().map(off).collect();
         let predicted = |s: &Setup, o: &Observation, sample: &Sample| {
             let mut row = s.row(o.run);
             let (regressors, factors) = row.at(sample.sweep, sample.direction);
@@ -33,19 +39,19 @@ impl Lengths {
             // The readings stay: what the row makes more of them, the base parameters make less.
             by.iter_mut().zip(&changed).for_each(|(b, other)| *b = own - predicted(other, o, d.sample));
         });
-        Self { changed, responses }
+        Self { stds, changed, responses }
     }
 
-    /// Standard uncertainty of a combination of base parameters; with a function at a coordinate, of that.
-    pub fn std(&self, fit: &Fit, functional: &DVector<f64>, function: Option<(&Seen, f64)>) -> f64 {
+    /// What each puts into a combination of base parameters; with a function at a coordinate, into that.
+    pub fn parts(&self, fit: &Fit, functional: &DVector<f64>, function: Option<(&Seen, f64)>) -> Vec<Part> {
         let moved = self.responses.tr_mul(functional);
-        let one = |(moved, changed): (&f64, &Setup)| {
+        let one = |((moved, changed), &(length, std)): ((&f64, &Setup), &(NominalId, f64))| {
             let basis = function.map_or(0.0, |(seen, x)| {
                 let other = Seen::new(changed, seen.determination.clone());
                 (fit.functional_of(changed, &other, x) - functional).dot(&fit.values)
             });
-            (moved + basis).powi(2)
+            Part { source: Source::Lengths, of: Of::Length(length), std, contribution: (moved + basis).abs() }
         };
-        moved.iter().zip(&self.changed).map(one).sum::<f64>().sqrt()
+        moved.iter().zip(&self.changed).zip(&self.stds).map(one).collect()
     }
 }

@@ -11,6 +11,7 @@ use crate::study::limits::ErrorLimits;
 use crate::study::setup::Setup;
 use crate::study::track::Track;
 use chacha20::ChaCha8Rng;
+use nalgebra::DVector;
 use rand::SeedableRng;
 use rayon::prelude::*;
 
@@ -27,6 +28,14 @@ pub(super) struct Dropped {
     pub parts: Parts,
     /// Per run, the size that its readings' part stays below on 95 % of the machines, mm.
     pub usual: Vec<f64>,
+}
+
+impl Dropped {
+    /// What it adds to a combination of base parameters on each machine.
+    pub fn on_machines(&self, functional: &DVector<f64>) -> Vec<f64> {
+        let scale = (MACHINES as f64).sqrt();
+        self.parts.tr_mul(functional).iter().map(|share| share * scale).collect()
+    }
 }
 
 pub(super) fn linearisation(setup: &Setup, observations: &[Observation], fit: &Fit, limits: ErrorLimits) -> Dropped {

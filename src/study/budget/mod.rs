@@ -8,14 +8,17 @@ mod bound;
 mod confounding;
 mod effects;
 mod gum;
+mod input;
 mod instrument;
 mod lengths;
 mod linearisation;
 mod parts;
+mod propagated;
 mod source;
 
 pub(super) use effects::without_table;
-pub use gum::{COVERAGE, Combined, Contribution, combine};
+pub use gum::{COVERAGE, Combined, combine, coverage_factor};
+pub use input::{Detail, Distribution, Input};
 pub use instrument::Instrument;
 pub(super) use parts::any_shape;
 pub use source::{Line, Source};
@@ -27,13 +30,17 @@ use super::seen::Seen;
 use super::setup::Setup;
 use assumed::{Assumptions, zeros};
 use confounding::{Limited, Sum};
-use effects::{Instrumental, instrumental, tables};
+use effects::{Instrumental, Tables, instrumental, tables};
+use input::{Of, Part, lines};
 use lengths::Lengths;
 use linearisation::{Dropped, linearisation};
 use nalgebra::DVector;
-use parts::{Ignored, Parts, std};
+use parts::{Ignored, std};
+use trunnion_codegen::algebra::ErrorId;
 use trunnion_codegen::identify::Origin;
 use trunnion_codegen::ids::BaseId;
+use trunnion_codegen::quantity::Unit;
+use trunnion_solver::lstsq::Step;
 
 /// What an estimate's uncertainty is made of; each result's budget follows from it.
 pub struct Sources<'a> {
@@ -42,7 +49,7 @@ pub struct Sources<'a> {
     fit: &'a Fit,
     limited: Limited<'a>,
     instrument: Instrumental,
-    tables: Parts,
+    tables: Tables,
     without_table: Ignored,
     lengths: Lengths,
     assumptions: Assumptions<'a>,
@@ -50,6 +57,8 @@ pub struct Sources<'a> {
     linearisation: Dropped,
     /// How many readings stand for an independent one.
     alike: f64,
+    /// Standard deviation of a reading of weight one, as the residuals have it, mm.
+    scatter: f64,
 }
 
 /// The uncertainty of one number.
@@ -116,6 +125,7 @@ impl<'a> Sources<'a> {
             zeros: zeros(setup, observations),
             linearisation: linearisation(setup, observations, fit, limits),
             alike: alike(fit),
+            scatter: scatter(observations, fit),
         }
     }
 
@@ -126,36 +136,52 @@ impl<'a> Sources<'a> {
 
     /// Of a base parameter, in the units inside.
     pub fn coefficient(&self, base: BaseId) -> Budget {
-        Budget::new(self.lines(&self.fit.coefficient(base), None))
+        self.budget(&self.parts(&self.fit.coefficient(base), None))
     }
 
     /// Of a function at a coordinate, mm or rad.
     pub fn function(&self, seen: &Seen, x: f64) -> Budget {
-        Budget::new(self.lines(&self.fit.functional(self.setup, seen.function(), x), Some((seen, x))))
+        self.budget(&self.parts(&self.fit.functional(self.setup, seen.function(), x), Some((seen, x))))
     }
 
-    fn lines(&self, functional: &DVector<f64>, function: Function) -> Vec<Line> {
-        let noise = (&self.fit.covariance * functional).dot(functional).max(0.0).sqrt();
-        let degrees_of_freedom = (f64::from(self.fit.degrees_of_freedom) / self.alike).max(1.0) as u32;
-        let noise = Contribution { std: noise * self.alike.sqrt(), degrees_of_freedom: Some(degrees_of_freedom) };
-        let Instrumental { constant, proportional, bar_length, temperature } = &self.instrument;
-        let ignored = self.limited.std(&self.assumptions.sum(functional, function));
-        let exact = [
-            (Source::Instrument, std(constant, functional)),
-            (Source::Proportional, std(proportional, functional)),
-            (Source::BarLength, std(bar_length, functional)),
-            (Source::Temperature, std(temperature, functional)),
-            (Source::Lengths, self.lengths.std(self.fit, functional, function)),
-            (Source::Tables, std(&self.tables, functional).hypot(self.ignored(&self.without_table, functional))),
-            (Source::Assumptions, ignored.hypot(self.ignored(&self.zeros, functional))),
-            (Source::Linearisation, std(&self.linearisation.parts, functional)),
-            (Source::Confounding, function.map_or(0.0, |(seen, x)| self.limited.std(&self.confounded(seen, x)))),
-        ];
-        let exact = exact
+    /// The same, quantity by quantity, in a unit.
+    pub fn detail(&self, seen: &Seen, x: f64, unit: Unit) -> Detail {
+        let functional = self.fit.functional(self.setup, seen.function(), x);
+        let parts = self.parts(&functional, Some((seen, x)));
+        let drawn = self.linearisation.on_machines(&functional);
+        Detail::new(self.setup, &parts, self.degrees_of_freedom(), drawn, unit)
+    }
+
+    fn budget(&self, parts: &[Part]) -> Budget {
+        Budget::new(lines(parts, self.degrees_of_freedom()))
+    }
+
+    fn degrees_of_freedom(&self) -> u32 {
+        (f64::from(self.fit.degrees_of_freedom) / self.alike).max(1.0) as u32
+    }
+
+    /// What each quantity puts into a result, source after source.
+    fn parts(&self, functional: &DVector<f64>, function: Function) -> Vec<Part> {
+        let noise = (&self.fit.covariance * functional).dot(functional).max(0.0).sqrt() * self.alike.sqrt();
+        let scatter = self.scatter * self.alike.sqrt();
+        let dropped = std(&self.linearisation.parts, functional);
+        let part = |source, of, std, contribution| Part { source, of, std, contribution };
+        let within = |source| {
+            move |(error, effect): (ErrorId, f64)| Part::within(source, error, effect, self.limited.limit(error))
+        };
+        let ignored = |errors| self.ignored(errors, functional);
+        let assumed = self.limited.largest(&self.assumptions.sum(functional, function));
+        let confounded = function.map(|(seen, x)| self.limited.largest(&self.confounded(seen, x)));
+        [part(Source::Noise, Of::Scatter, scatter, noise)]
             .into_iter()
-            .filter(|(_, std)| *std > 0.0)
-            .map(|(source, std)| Line { source, contribution: Contribution { std, degrees_of_freedom: None } });
-        [Line { source: Source::Noise, contribution: noise }].into_iter().chain(exact).collect()
+            .chain(self.instrument.parts(functional))
+            .chain(self.lengths.parts(self.fit, functional, function))
+            .chain(self.tables.parts(functional))
+            .chain(ignored(&self.without_table).into_iter().map(within(Source::Tables)))
+            .chain(assumed.into_iter().chain(ignored(&self.zeros)).map(within(Source::Assumptions)))
+            .chain([part(Source::Linearisation, Of::Dropped, dropped, dropped)])
+            .chain(confounded.into_iter().flatten().map(within(Source::Confounding)))
+            .collect()
     }
 
     /// What stands between a function and the sum it is seen in.
@@ -166,13 +192,26 @@ impl<'a> Sources<'a> {
         others.chain(missing).collect()
     }
 
-    /// Motion errors that were left out, each within its limit and of whatever shape is worst.
-    fn ignored(&self, ignored: &Ignored, functional: &DVector<f64>) -> f64 {
+    /// Motion errors that were left out, each with the most that a unit of it adds, of whatever shape is worst.
+    fn ignored(&self, ignored: &Ignored, functional: &DVector<f64>) -> Vec<(ErrorId, f64)> {
         if ignored.is_empty() {
-            return 0.0;
+            return Vec::new();
         }
         let weights = self.fit.weights(self.setup, self.observations, functional);
-        let largest = ignored.iter().map(|(error, factors)| any_shape(&weights, factors) * self.limited.limit(*error));
-        (largest.map(|l| l * l).sum::<f64>() / 3.0).sqrt()
+        ignored.iter().map(|(error, factors)| (*error, any_shape(&weights, factors))).collect()
     }
+}
+
+/// Of the readings that set the scale of the estimated functions' uncertainty: those of the last step.
+fn scatter(observations: &[Observation], fit: &Fit) -> f64 {
+    let last = (0..observations.len()).map(|at| fit.step(at)).fold(Step::First, |last, step| match step {
+        Step::Second => step,
+        Step::First => last,
+    });
+    let square = |(at, o): (usize, &Observation)| {
+        let of_last = fit.step(at) == last;
+        fit.rms.get(at).filter(|_| of_last).map_or(0.0, |rms| rms * rms * o.weight * o.samples.len() as f64)
+    };
+    let sum: f64 = observations.iter().enumerate().map(square).sum();
+    (sum / f64::from(fit.degrees_of_freedom.max(1))).sqrt()
 }

@@ -17,6 +17,8 @@ const KEPT: usize = 64;
 pub struct Look {
     /// Root mean square, mm.
     pub rms: f64,
+    /// Robust standard deviation: from the median size, mm.
+    pub deviation: f64,
     /// Correlation of neighbours.
     pub correlation: f64,
     /// How many standard deviations fewer changes of sign there are than white noise has (Wald and Wolfowitz' run test).
@@ -73,11 +75,12 @@ impl Looking {
         let variance = (expected - 1.0) * (expected - 2.0) / (n as f64 - 1.0).max(1.0);
         let runs = if variance > 0.0 { (expected - (self.changes as f64 + 1.0)) / variance.sqrt() } else { 0.0 };
         // The median of a normal distribution's sizes is 0.6745 of its deviation.
-        let far = FAR * self.sizes.median() / 0.6745;
+        let deviation = self.sizes.median() / 0.6745;
+        let far = FAR * deviation;
         let is_far = |(size, at): &(u64, usize)| (f64::from_bits(*size) > far && far > 0.0).then_some(*at);
         let mut spikes: Vec<usize> = self.largest.iter().filter_map(is_far).collect();
         spikes.sort_unstable();
-        Look { rms: (self.squares / n.max(1) as f64).sqrt(), correlation, runs, spikes, samples: n }
+        Look { rms: (self.squares / n.max(1) as f64).sqrt(), deviation, correlation, runs, spikes, samples: n }
     }
 }
 

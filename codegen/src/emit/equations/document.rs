@@ -1,7 +1,7 @@
 //! The equations of a derivation in one style, before a format arranges them.
 
 use super::function::Written;
-use super::printer::{Printer, Style};
+use super::printer::{Printer, Style, indexed};
 use crate::algebra::{ErrorId, Fraction, Monomial, Poly, Rational};
 use crate::basis::{Basis, BasisFunction};
 use crate::identify::{BaseParameter, Derivation, DerivedRun, Group};
@@ -46,6 +46,8 @@ impl<'a> Document<'a> {
         match (self.printer.style, name.split_once('_')) {
             (Style::Latex, Some(("d", rest))) if motion => format!("\\delta_{{{}}}", rest.replace('_', "\\_")),
             (Style::Latex, Some(("e", rest))) if motion => format!("\\varepsilon_{{{}}}", rest.replace('_', "\\_")),
+            (Style::MathMl, Some(("d", rest))) if motion => indexed("<mi>δ</mi>", rest),
+            (Style::MathMl, Some(("e", rest))) if motion => indexed("<mi>ε</mi>", rest),
             _ => self.printer.name(name),
         }
     }
@@ -62,7 +64,11 @@ impl<'a> Document<'a> {
             }
             _ => 'R',
         };
-        if self.printer.style == Style::Latex { format!("\\Delta {letter}") } else { format!("Δ{letter}") }
+        match self.printer.style {
+            Style::Latex => format!("\\Delta {letter}"),
+            Style::MathMl => format!("<mrow><mi>Δ</mi><mi>{letter}</mi></mrow>"),
+            Style::Plain | Style::Pretty => format!("Δ{letter}"),
+        }
     }
 
     /// A run's linear reading with equal factors collected: `s·(d_yy + d_yz − d_ya) + c·(…) + …`, T(5).
@@ -158,7 +164,7 @@ impl<'a> Document<'a> {
         let f = &self.model.functions[id];
         let prefix = self.model.alphabet.error_name(f.error);
         match &f.basis {
-            Basis::Zero => return Some("0".to_owned()),
+            Basis::Zero => return Some(self.printer.number("0".to_owned())),
             Basis::Known => return None,
             Basis::Functions(_) => {}
         }

@@ -16,6 +16,7 @@ impl Written<'_> {
         match (n, self.printer.style) {
             (1, _) => x.to_owned(),
             (_, Style::Latex) => format!("{x}^{{{n}}}"),
+            (_, Style::MathMl) => format!("<msup>{x}<mn>{n}</mn></msup>"),
             (_, Style::Plain) => format!("{x}**{n}"),
             (_, Style::Pretty) => format!(
                 "{x}{}",
@@ -27,12 +28,9 @@ impl Written<'_> {
     fn wave(&self, name: &str, multiple: u8) -> String {
         let times = match multiple {
             1 => self.x.to_owned(),
-            k => self.printer.product(&[k.to_string(), self.x.to_owned()]),
+            k => self.printer.product(&[self.printer.number(k.to_string()), self.x.to_owned()]),
         };
-        match self.printer.style {
-            Style::Latex => format!("\\{name} {times}"),
-            _ => format!("{name}({times})"),
-        }
+        self.printer.applied(name, &times)
     }
 }
 
@@ -52,7 +50,8 @@ impl Arithmetic for Written<'_> {
             (Some(c), 1) => self.printer.fraction(c),
             (Some(c), _) => {
                 let negative = c.numerator().printed().first().is_some_and(|(_, c)| c.is_negative());
-                let (sign, size) = if negative { (self.printer.minus(), c.negated()) } else { ("+", c.clone()) };
+                let (sign, size) =
+                    if negative { (self.printer.minus(), c.negated()) } else { (self.printer.plus(), c.clone()) };
                 let several = size.numerator().terms().len() > 1 && negative;
                 let size = self.printer.fraction(&size);
                 let size = if several { self.printer.parenthesised(&size) } else { size };

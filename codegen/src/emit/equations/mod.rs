@@ -1,10 +1,11 @@
-//! A derivation as a document: text and LaTeX for a reviewer, JSON for a program.
+//! A derivation as a document: text and LaTeX for a reviewer, MathML for a page, JSON for a program.
 
 mod document;
 mod extent;
 mod function;
 mod json;
 mod latex;
+mod mathml;
 mod printer;
 mod text;
 
@@ -12,5 +13,6 @@ pub use document::{definition, group};
 pub use extent::{Remaining, extent, remaining, seen_sum};
 pub use json::json;
 pub use latex::latex;
+pub use mathml::{Equation, Section, mathml};
 pub use printer::{Printer, Style};
-pub use text::text;
+pub use text::{symbols, text};

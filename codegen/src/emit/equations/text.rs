@@ -15,34 +15,11 @@ use core::fmt::Write;
 pub fn text(model: &Model, derivation: &Derivation) -> String {
     let d = Document::new(model, derivation, Style::Pretty);
     let mut out = format!("{}: {}\n", model.name, visible(&model.title));
-    let mut sweeps: Vec<_> = model.runs.iter().map(|r| r.sweep).collect();
-    sweeps.sort();
-    sweeps.dedup();
-    let trig = |&id: &SweepId| {
-        let [_, sin, cos] = model.alphabet.sweep_symbols(id).map(|id| model.alphabet.nominal_name(id));
-        let sweep = model.alphabet.sweep_name(id);
-        format!("{sin} = sin {sweep}, {cos} = cos {sweep}")
-    };
-    let trig: Vec<String> = sweeps.iter().map(trig).collect();
-    let _ = writeln!(out, "lengths in mm, angles in rad; {}", trig.join(", "));
-    for axis in model.axes() {
-        for r in &axis.references {
-            let name = axis.location[r.component.index()].map_or("", |e| model.alphabet.error_name(e));
-            let _ = writeln!(out, "{name}: the angle of {} to {}", axis.name, r.axis);
-        }
-    }
-    for (id, nominal) in model.alphabet.nominals() {
-        let name = || model.alphabet.nominal_name(id);
-        let _ = match nominal {
-            Nominal::Wrapped { angle, .. } => writeln!(out, "{}", turned(model, &name(), angle)),
-            Nominal::Root { root, .. } => {
-                let of = Poly::from_terms(root.of.clone()).unwrap_or_default();
-                writeln!(out, "{} = √({})", name(), d.printer.poly(&of))
-            }
-            Nominal::Sense { .. } | Nominal::Arctangent { .. } => writeln!(out, "{}: {}", name(), moves(model, id)),
-            _ => Ok(()),
-        };
-    }
+    let mut symbols = symbols(model).into_iter();
+    let _ = writeln!(out, "lengths in mm, angles in rad; {}", symbols.next().unwrap_or_default());
+    symbols.for_each(|symbol| {
+        let _ = writeln!(out, "{symbol}");
+    });
     for assumption in &model.assumptions {
         let _ = writeln!(out, "assumed: {}", assumption.text);
     }
@@ -81,6 +58,39 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
     let unseen: Vec<&str> = derivation.unseen.iter().map(|e| model.alphabet.error_name(*e)).collect();
     let _ = writeln!(out, "\n{}", prose("Not seen at first order: ", &unseen.join(", "), 2));
     out
+}
+
+/// What symbols stand for that are no lengths and no errors of the machine: sines and cosines first, then a line each.
+pub fn symbols(model: &Model) -> Vec<String> {
+    let printer = Printer { alphabet: &model.alphabet, style: Style::Pretty };
+    let mut sweeps: Vec<_> = model.runs.iter().map(|r| r.sweep).collect();
+    sweeps.sort();
+    sweeps.dedup();
+    let trig = |&id: &SweepId| {
+        let [_, sin, cos] = model.alphabet.sweep_symbols(id).map(|id| model.alphabet.nominal_name(id));
+        let sweep = model.alphabet.sweep_name(id);
+        format!("{sin} = sin {sweep}, {cos} = cos {sweep}")
+    };
+    let mut symbols = vec![sweeps.iter().map(trig).collect::<Vec<_>>().join(", ")];
+    for axis in model.axes() {
+        symbols.extend(axis.references.iter().map(|r| {
+            let name = axis.location[r.component.index()].map_or("", |e| model.alphabet.error_name(e));
+            format!("{name}: the angle of {} to {}", axis.name, r.axis)
+        }));
+    }
+    symbols.extend(model.alphabet.nominals().filter_map(|(id, nominal)| {
+        let name = || model.alphabet.nominal_name(id);
+        match nominal {
+            Nominal::Wrapped { angle, .. } => Some(turned(model, &name(), angle)),
+            Nominal::Root { root, .. } => {
+                let of = Poly::from_terms(root.of.clone()).unwrap_or_default();
+                Some(format!("{} = √({})", name(), printer.poly(&of)))
+            }
+            Nominal::Sense { .. } | Nominal::Arctangent { .. } => Some(format!("{}: {}", name(), moves(model, id))),
+            _ => None,
+        }
+    }));
+    symbols
 }
 
 /// What an angle less whole turns stands for.

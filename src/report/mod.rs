@@ -1,0 +1,58 @@
+//! A report as one page of HTML that needs nothing else: values in, text out.
+//!
+//! It is made from the JSON object of the command, so that each of its numbers is one of that object's, and says which
+//! (`data-json`, a JSON pointer); only pictures and typeset equations come beside it. No script, nothing fetched from anywhere.
+
+mod numbers;
+mod page;
+mod pictures;
+
+use crate::exechon::{RingReport, ring_picture};
+use crate::plot::PlotError;
+use crate::study::{Report, Setup};
+use serde_json::{Value, json};
+use thiserror::Error;
+use trunnion_codegen::emit::equations::{Equation, Section, mathml, symbols};
+
+/// Why there is no report.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// A picture cannot be drawn.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
+    /// The page lacks a number: a defect of its template.
+    #[error("the report cannot be set: {0}\n  expected a document of the same version")]
+    Page(#[from] minijinja::Error),
+}
+
+/// The page of a fit, `document` being its JSON object.
+///
+/// # Errors
+/// [`ReportError`]
+pub fn fit(document: &Value, setup: &Setup, report: &Report) -> Result<String, ReportError> {
+    let equation = |e: &Equation| json!({ "left": e.left, "terms": e.terms });
+    let section =
+        |s: &Section| json!({ "title": s.title, "equations": s.equations.iter().map(equation).collect::<Vec<_>>() });
+    let equations: Vec<Value> = mathml(&setup.model, &setup.derivation).iter().map(section).collect();
+    let beside =
+        json!({ "pictures": pictures::fit(report)?, "equations": equations, "symbols": symbols(&setup.model) });
+    Ok(page::rendered("fit.html", document, beside)?)
+}
+
+/// The page of a ring test.
+///
+/// # Errors
+/// [`ReportError`]
+pub fn ring(document: &Value, report: &RingReport) -> Result<String, ReportError> {
+    let beside = json!({ "pictures": { "ring": ring_picture(&[("", report)], "")? } });
+    Ok(page::rendered("ring.html", document, beside)?)
+}
+
+/// The page of a probe's offset.
+///
+/// # Errors
+/// [`ReportError`]
+pub fn offset(document: &Value) -> Result<String, ReportError> {
+    Ok(page::rendered("offset.html", document, json!({}))?)
+}
