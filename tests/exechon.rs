@@ -92,7 +92,7 @@ fn bad_poses_are_refused_whole() {
     bad(&["ik", "-"], &after("0,0,0,0,0"), "-:3: 5 field(s) in a file of 6 columns");
     bad(&["ik", "-"], &after("0,0,zero,0,0,1"), "-:3: \"zero\" in column z_mm is not a number");
     bad(&["ik", "-"], "x_mm,y_mm,i,j,k\n", "-:1: missing column z_mm");
-    bad(&["ik", "-"], "x_mm,y_mm,z_mm,i,j,k,q\n", "-:1: unknown column \"q\"");
+    bad(&["ik", "-"], "x_mm,y_mm,z_mm,i,j,q\n", "-:1: unknown column \"q\"");
     bad(&["ik", "-"], "", "-: the file is empty");
     bad(&["ik", "no-such-file.csv"], "", "no-such-file.csv: no such file");
     bad(

@@ -120,6 +120,27 @@ fn by_suffix(suffix: &str) -> Option<Unit> {
     [Unit::Deg, Unit::Rad, Unit::Urad, Unit::Um, Unit::Mm].into_iter().find(|unit| unit.suffix() == suffix)
 }
 
+/// A column's name with the unit that stands on a line of its own below it.
+pub(super) fn joined(name: &str, unit: &str) -> String {
+    match bare(unit) {
+        "" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
+    }
+}
+
+/// Whether the fields of a line are units, of which one is known.
+pub(super) fn are_units<'a>(fields: impl Iterator<Item = &'a str> + Clone) -> bool {
+    let known = |field: &str| by_name(bare(field)).is_some();
+    let bracketed = |field: &str| field.is_empty() || bare(field) != field;
+    fields.clone().any(known) && fields.clone().all(|field| known(field) || bracketed(field))
+}
+
+/// A unit without its brackets.
+fn bare(unit: &str) -> &str {
+    let within = |open, close| unit.strip_prefix(open).and_then(|unit: &str| unit.strip_suffix(close));
+    within('[', ']').or(within('(', ')')).unwrap_or(unit).trim()
+}
+
 /// A unit as people write it. A German "Grad" may be a degree or a gon: it has to be stated.
 fn by_name(name: &str) -> Option<Unit> {
     // Two letters look like µ.

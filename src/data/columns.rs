@@ -116,9 +116,15 @@ enum Match {
 fn compare(field: &str, wanted: &Wanted) -> Option<Match> {
     let Wanted { name, units, called, any, .. } = *wanted;
     let fitting = |unit: Unit| if units.contains(&unit) { Match::Fits(Some(unit)) } else { Match::WrongUnit };
-    if let Some(called) = called {
-        let unit = called.unit.or_else(|| with_unit(field).map(|(_, unit)| unit));
-        return (field == called.text).then(|| unit.map_or(Match::NoUnit, fitting));
+    let written = with_unit(field);
+    if let Some(Called { text, unit: stated }) = called {
+        // It may be given without the unit that it has in the file.
+        let is = field == text || written.is_some_and(|(name, _)| name == text);
+        return is.then(|| match (stated, written) {
+            (Some(stated), Some((_, unit))) if stated != unit => Match::WrongUnit,
+            (Some(unit), _) | (None, Some((_, unit))) => fitting(unit),
+            (None, None) => Match::NoUnit,
+        });
     }
     if any {
         let (_, unit) = with_unit(field)?;
@@ -128,7 +134,7 @@ fn compare(field: &str, wanted: &Wanted) -> Option<Match> {
         ("", []) => Some(Match::Fits(None)),
         ("", _) => Some(Match::NoUnit),
         (_, []) => None,
-        (rest, _) => match with_unit(field) {
+        (rest, _) => match written {
             Some((own, unit)) if own == name => Some(fitting(unit)),
             _ => rest.starts_with(['_', ' ', '[', '(', '/']).then_some(Match::WrongUnit),
         },

@@ -2,6 +2,7 @@
 
 use csv::{ReaderBuilder, StringRecord};
 
+use super::called::{are_units, joined};
 use super::columns::Wanted;
 use super::decoded::latin;
 use super::error::FileProblem;
@@ -16,6 +17,45 @@ pub(super) struct Dialect {
     pub separator: Separator,
     /// The line of the header, counted from 1: above it are texts.
     pub header: u64,
+    /// Whether the line below it has the columns' units.
+    pub units: bool,
+}
+
+/// What looks like the header of a table.
+struct Header {
+    dialect: Dialect,
+    /// The columns' names, with their units.
+    names: Vec<String>,
+    /// The fields of the line below it.
+    below: StringRecord,
+}
+
+impl Header {
+    /// Of the line at a place, as one sign divides it.
+    fn at(lines: &[(u64, String)], at: usize, separator: Separator) -> Self {
+        let line = |at: usize| lines.get(at).map_or_else(StringRecord::new, |(_, line)| divided(line, separator));
+        let (fields, next) = (line(at), line(at + 1));
+        let header = lines.get(at).map_or(1, |(number, _)| *number);
+        if fields.len() == next.len() && are_units(next.iter()) {
+            let names = fields.iter().zip(next.iter()).map(|(name, unit)| joined(name, unit)).collect();
+            return Self { dialect: Dialect { separator, header, units: true }, names, below: line(at + 2) };
+        }
+        let names = fields.iter().map(str::to_owned).collect();
+        Self { dialect: Dialect { separator, header, units: false }, names, below: next }
+    }
+
+    fn has(&self, wanted: &Wanted) -> bool {
+        self.names.iter().any(|name| wanted.is(name))
+    }
+
+    /// How many numbers are below it; none where it is no header.
+    fn numbers(&self) -> Option<usize> {
+        let count = |fields: &mut dyn Iterator<Item = &str>| fields.filter(|field| numeral(field).is_some()).count();
+        let columns = self.names.len();
+        let texts = columns > 1 && count(&mut self.names.iter().map(String::as_str)) < columns;
+        let numbers = count(&mut self.below.iter());
+        (texts && self.below.len() == columns && numbers > 0).then_some(numbers)
+    }
 }
 
 impl Dialect {
@@ -23,35 +63,26 @@ impl Dialect {
     /// above the first that looks most like numbers, so that what is wrong with it can be told; without that, the first line.
     pub fn of(head: &[u8], wanted: &[Wanted]) -> Result<Self, FileProblem> {
         let lines = said(head);
-        let header = |line: &(u64, String)| {
-            let is = |separator: &Separator| {
-                let fields = divided(&line.1, *separator);
-                let there = |wanted: &Wanted| fields.iter().any(|field| wanted.is(field));
-                wanted.iter().filter(|wanted| wanted.absent.is_none()).all(there)
-            };
-            Separator::ALL.into_iter().find(is).map(|separator| Self { separator, header: line.0 })
+        let headers = || {
+            let of = |at| Separator::ALL.map(|separator| Header::at(&lines, at, separator));
+            (0..lines.len()).flat_map(of)
         };
-        match lines.iter().find_map(header) {
-            Some(dialect) => Ok(dialect),
-            None => Self::by_numbers(&lines),
+        let needed = || wanted.iter().filter(|wanted| wanted.absent.is_none());
+        match headers().find(|header| needed().all(|wanted| header.has(wanted))) {
+            Some(header) => Ok(header.dialect),
+            None => Self::by_numbers(headers(), &lines),
         }
     }
 
-    fn by_numbers(lines: &[(u64, String)]) -> Result<Self, FileProblem> {
+    fn by_numbers(headers: impl Iterator<Item = Header>, lines: &[(u64, String)]) -> Result<Self, FileProblem> {
         let mut best: Option<(usize, Self)> = None;
         let mut rival = None;
-        for ((line, header), (_, numbers)) in lines.iter().zip(lines.iter().skip(1)) {
-            for separator in Separator::ALL {
-                let (header, numbers) = (divided(header, separator), divided(numbers, separator));
-                let count = |fields: &StringRecord| fields.iter().filter(|field| numeral(field).is_some()).count();
-                let table = header.len() == numbers.len() && header.len() > 1 && count(&header) < header.len();
-                let (count, own) = (count(&numbers), Self { separator, header: *line });
-                match best {
-                    _ if !table || count == 0 => {}
-                    Some((most, first)) if count == most && first.header == *line => rival = Some(separator),
-                    Some((most, _)) if count <= most => {}
-                    _ => (best, rival) = (Some((count, own)), None),
-                }
+        for header in headers {
+            let (Some(count), own) = (header.numbers(), header.dialect) else { continue };
+            match best {
+                Some((most, first)) if count == most && first.header == own.header => rival = Some(own.separator),
+                Some((most, _)) if count <= most => {}
+                _ => (best, rival) = (Some((count, own)), None),
             }
         }
         match (best, rival) {
@@ -64,7 +95,7 @@ impl Dialect {
                 let fields = |separator: &Separator| divided(text, *separator).len();
                 // The first one of those with most fields.
                 let separator = Separator::ALL.into_iter().rev().max_by_key(fields).unwrap_or(Separator::Comma);
-                Ok(Self { separator, header: line })
+                Ok(Self { separator, header: line, units: false })
             }
         }
     }

@@ -6,6 +6,7 @@ use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::vec::IntoIter;
 
+use super::called::joined;
 use super::columns::{Column, Wanted, listed, resolve};
 use super::decoded::decoded;
 use super::dialect::Dialect;
@@ -136,7 +137,11 @@ impl Text {
         let Some(Record { line, fields, .. }) = records.next()? else {
             return Err(FileProblem::Empty { columns: listed(wanted) });
         };
-        let header: Vec<String> = fields.into_iter().map(str::to_owned).collect();
+        let mut header: Vec<String> = fields.into_iter().map(str::to_owned).collect();
+        let units = if dialect.units { records.next()? } else { None };
+        for (name, unit) in header.iter_mut().zip(units.map_or(Vec::new(), |units| units.fields)) {
+            *name = joined(name, unit);
+        }
         let columns = resolve(&header, wanted).map_err(|problems| FileProblem::Header { line, problems })?;
         let (numerals, decimals) = (Numerals::default(), Decimals::default());
         Ok((Self { records, separator: dialect.separator, header, numerals, decimals }, columns))

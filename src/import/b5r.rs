@@ -85,8 +85,8 @@ fn about(xml: &Xml, root: Node, stated: &Stated) -> Result<About, ImportProblem>
 
 /// The plane of the test, which its axes and what is stated must not contradict.
 fn plane(xml: &Xml, root: Node, stated: &Stated) -> Result<Option<Plane>, ImportProblem> {
-    let Some(node) = first(root, "PLANE") else { return Ok(None) };
-    let Some(name) = node.attribute("TEST_PLANE").and_then(clean) else { return Ok(None) };
+    let Some(node) = first(root, "PLANE") else { return Ok(stated.plane) };
+    let Some(name) = node.attribute("TEST_PLANE").and_then(clean) else { return Ok(stated.plane) };
     let line = xml.line(node);
     let plane = Plane::of(&name).ok_or_else(|| Wrong::NoPlane(name).at(line))?;
     if let (Some(a), Some(b)) = (text(node, "A_AXIS_NAME"), text(node, "B_AXIS_NAME")) {

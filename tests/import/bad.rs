@@ -175,6 +175,7 @@ fn bad_tables_are_refused_by_name() {
         &["column \"Radius\" has no unit that is known", "dr_um or dr_mm in place of dr"],
     );
     refused(at, &import("a=Winkel,dr_um=Radius"), &["missing column Winkel\n  found Angle [deg], Radius"]);
+    refused(at, &import("a_rad=Angle [deg],dr_um=Radius"), &["column \"Angle [deg]\" has a unit that does not fit"]);
     refused(at, &import("c=Angle [deg]"), &["--columns c", "expected dr"]);
     refused(at, &import("Angle"), &["--columns", "\"Angle\" is not a column with its name"]);
     let named = import("a=Angle [deg],dr_um=Radius");

@@ -77,6 +77,15 @@ fn texts_above_the_table_and_columns_beside_it_are_passed_over() {
         in_dialect(at, header, line, encode);
         assert_eq!(fitted(at, OTHER, &named), native);
     }
+    // Units on a line of their own, names with and without them.
+    let header = "Maschine 7;;\nVorschub;1500;mm/min\n\nNr.;Winkel A;Abweichung\n;[°];(µm)";
+    in_dialect(at, header, |a, r| format!("7;{};{}", comma(a), comma(r)), plain);
+    for named in ["a=Winkel A,dr=Abweichung", "a=Winkel A [°],dr_um=Abweichung", "a_deg=Winkel A,dr=Abweichung [µm]"]
+    {
+        assert_eq!(fitted(at, OTHER, &["--columns", named]), native);
+    }
+    in_dialect(at, "a,dr\ndeg,um", |a, r| format!("{a},{r}"), plain);
+    assert_eq!(fitted(at, OTHER, &[]), native);
     // With quotes, the unit stated, and in another one.
     let mm = |a: &str, r: &str| format!("{a},ok,{:?}", number(r) / 1e3);
     in_dialect(at, "Angle,State,\"Radius, dev.\"", mm, plain);
