@@ -1,6 +1,6 @@
 //! Tests of Ballbar 20, written by hand from what is known of their form.
 
-use super::{alike, fitted, good, number, object, reference, samples};
+use super::{alike, fitted, good, number, object, object_of_fit, reference, samples};
 use std::fmt::Write;
 use std::fs;
 
@@ -173,7 +173,7 @@ fn fit_takes_a_test_directly_where_nothing_has_to_be_stated() {
         let mut arguments = super::FIT.to_vec();
         runs.iter().for_each(|run| arguments.extend(["--run", run.as_str()]));
         arguments.extend(super::TABLE);
-        object(&good(at, &arguments))
+        object_of_fit(at, &arguments)
     };
     let native = twice(["-up.csv", "-down.csv"]);
     let direct = fitted(at, ["tilting.b5r", "separation.b5r"], &[]);

@@ -67,7 +67,14 @@ fn number(text: &str) -> f64 {
 fn fitted(directory: &Path, [tilting, separation]: [&str; 2], more: &[&str]) -> Value {
     let runs = [format!("tilting={tilting}"), format!("separation={separation}")];
     let runs = ["--run", &runs[0], "--run", &runs[1]];
-    object(&good(directory, &[&FIT[..], &runs, &TABLE, more].concat()))
+    object_of_fit(directory, &[&FIT[..], &runs, &TABLE, more].concat())
+}
+
+/// What a fit prints, but for which files it was made of.
+fn object_of_fit(directory: &Path, arguments: &[&str]) -> Value {
+    let mut fit = object(&good(directory, arguments));
+    fit.as_object_mut().unwrap().remove("made");
+    fit
 }
 
 /// Holds every number of two fits to agree to this share of itself; what is zero but for rounding agrees.
