@@ -11,7 +11,8 @@ use trunnion_solver::tilting::{Joint, Lengths, TwoStep};
 
 /// The largest error of a coefficient, as a share of it.
 fn error(values: &[f64], exact: &[f64]) -> f64 {
-    values.iter().zip(exact).map(|(v, e)| ((v - e) / e).abs()).fold(0.0, f64::max)
+    let errors = values.iter().zip(exact).map(|(v, e)| ((v - e) / e).abs());
+    errors.fold(0.0, |largest: f64, error| if error.is_nan() { error } else { largest.max(error) })
 }
 
 pub fn run(samples: usize, exact: &str) {
