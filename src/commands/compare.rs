@@ -77,7 +77,7 @@ fn compared(change: &Change) -> Option<&Compared> {
 /// The unit of a function's values, and that of its coordinate.
 fn units<'a>(reports: &'a [Reported], function: &str) -> (&'a str, &'a str) {
     let own = reports[0].functions.iter().find(|f| f.name == function);
-    let across = own.and_then(|f| f.coordinate.rsplit_once('_')).map_or("", |(_, unit)| unit);
+    let across = own.map_or("", |f| f.axis().1);
     (own.map_or("", |f| f.unit.as_str()), across)
 }
 

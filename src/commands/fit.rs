@@ -190,18 +190,18 @@ impl FitArguments {
 
 /// The files that were read, each once.
 fn files_read(source: &Source, setup: &Setup, recorded: &[Recorded], table: Option<&Path>) -> Vec<Value> {
-    let mut runs: Vec<(&Path, String)> = Vec::new();
+    let mut runs: Vec<(&Path, Vec<&str>)> = Vec::new();
     for own in recorded {
-        let run = &setup.model.runs[own.run()].name;
+        let run = setup.model.runs[own.run()].name.as_str();
         match runs.iter_mut().find(|(file, _)| *file == own.file()) {
-            Some((_, names)) if names.split(", ").any(|name| name == run || name.strip_prefix("run ") == Some(run)) => {
-            }
-            Some((_, names)) => *names = format!("{names}, {run}"),
-            None => runs.push((own.file(), format!("run {run}"))),
+            Some((_, names)) if names.contains(&run) => {}
+            Some((_, names)) => names.push(run),
+            None => runs.push((own.file(), vec![run])),
         }
     }
+    let runs = runs.into_iter().map(|(file, names)| (file, format!("run {}", names.join(", "))));
     let table = table.map(|file| (file, "known functions".to_owned()));
-    let named = runs.into_iter().chain(table);
+    let named = runs.chain(table);
     let read = named.map(|(file, role)| read(&role, &file.display().to_string(), Stamp::of_file(file)));
     source.read().into_iter().chain(read).collect()
 }

@@ -40,10 +40,10 @@ pub struct SimulationArguments {
 impl SimulationArguments {
     /// The model with the ranges of its axes, and what is asked for, where it can be simulated.
     pub fn simulation(&self, model: &ModelArguments, source: &Source) -> Result<(Setup, Simulation), Refused> {
-        let given = self.range_deg.or((self.from_deg.is_some() || self.to_deg.is_some()).then(|| {
-            let (from, to) = (self.from_deg, self.to_deg);
-            (from.unwrap_or(0.0), to.unwrap_or(360.0))
-        }));
+        let given = match (self.range_deg, self.from_deg, self.to_deg) {
+            (None, None, None) => None,
+            (range, from, to) => Some(range.unwrap_or((from.unwrap_or(0.0), to.unwrap_or(360.0)))),
+        };
         let (from, to) = given.unwrap_or((0.0, 360.0));
         if to <= from {
             return Err(Refused::Option(

@@ -1,12 +1,8 @@
 //! Files of instruments and of other programs, read into runs.
 
-use std::cell::RefCell;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
-use std::rc::Rc;
-
-use sha2::{Digest, Sha256};
 
 use super::called::Columns;
 use super::columns::Column;
@@ -14,6 +10,7 @@ use super::decoded::text;
 use super::error::{FileError, FileProblem};
 use super::limits::{INSTRUMENT, SAMPLES};
 use super::lines::{Lines, is_xml, source};
+use super::stamp::Stamping;
 use super::sweep::{READING, RunColumns, check};
 use crate::import::{About, Imported, Stated, TraceSample, Wrong, b5r, by_passes};
 use trunnion_codegen::quantity::Unit;
@@ -44,17 +41,15 @@ pub struct ImportedFile {
 /// [`FileError`] where the file cannot be read, is no such file, or does not say enough and neither does what is stated.
 pub fn import(file: &Path, angle: &str, columns: &Columns, stated: &Stated) -> Result<ImportedFile, FileError> {
     let fail = |problem| FileError { file: file.to_owned(), problem };
-    let hash = Rc::new(RefCell::new(Sha256::new()));
-    let hashed = |source| Box::new(Hashed { source, hash: Rc::clone(&hash) });
+    let stamping = Stamping::default();
+    let stamped = |source| Box::new(stamping.reader(source));
     let begun = source(file).and_then(begin);
     let (form, imported) = match begun {
-        Ok((true, source)) => (Form::B5r, instrument(hashed(source), stated).map_err(fail)?),
-        Ok((false, source)) => (Form::Table, table(file, Ok(hashed(source)), angle, columns, stated)?),
+        Ok((true, source)) => (Form::B5r, instrument(stamped(source), stated).map_err(fail)?),
+        Ok((false, source)) => (Form::Table, table(file, Ok(stamped(source)), angle, columns, stated)?),
         Err(refused) => (Form::Table, table(file, Err(refused), angle, columns, stated)?),
     };
-    let digest = hash.borrow_mut().finalize_reset();
-    let sha256 = digest.iter().map(|byte| format!("{byte:02x}")).collect();
-    Ok(ImportedFile { form, sha256, imported })
+    Ok(ImportedFile { form, sha256: stamping.stamp().sha256, imported })
 }
 
 /// Reads the file of an instrument; none where it is a table, or cannot be read twice.
@@ -104,18 +99,4 @@ fn table(
     let traces = by_passes(&samples, unit, stated);
     let traces = traces.map_err(|problem| FileError { file: file.to_owned(), problem: problem.into() })?;
     Ok(Imported { about: About::default(), traces })
-}
-
-/// What is read is hashed on the way.
-struct Hashed {
-    source: Box<dyn Read>,
-    hash: Rc<RefCell<Sha256>>,
-}
-
-impl Read for Hashed {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let read = self.source.read(buffer)?;
-        self.hash.borrow_mut().update(&buffer[..read]);
-        Ok(read)
-    }
 }

@@ -117,16 +117,9 @@ struct File {
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Fit {
-    estimator: Option<Combine>,
+    estimator: Option<Estimator>,
     robust: Option<Robust>,
     table: Option<PathBuf>,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum Combine {
-    Joint,
-    TwoStep,
 }
 
 #[derive(Deserialize)]
@@ -177,10 +170,7 @@ impl Project {
         Ok(Self {
             model: file.model,
             machine: file.machine,
-            estimator: file.fit.estimator.map(|estimator| match estimator {
-                Combine::Joint => Estimator::Joint,
-                Combine::TwoStep => Estimator::TwoStep,
-            }),
+            estimator: file.fit.estimator,
             robust: matches!(file.fit.robust, Some(Robust::Huber)),
             columns: file.columns,
             table: file.fit.table.map(|table| folder.join(table)),

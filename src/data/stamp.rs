@@ -1,12 +1,11 @@
 //! Which bytes an input had, so that it is known again: SHA-256, as `sha256sum` prints it.
 
 use sha2::{Digest, Sha256};
+use std::cell::RefCell;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
-
-/// Bytes read at once.
-const BLOCK: usize = 1 << 16;
+use std::rc::Rc;
 
 /// Length and digest of an input.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,25 +21,50 @@ impl Stamp {
     ///
     /// # Errors
     /// What cannot be read.
-    pub fn of(mut source: impl Read) -> io::Result<Self> {
-        let (mut hash, mut bytes, mut block) = (Sha256::new(), 0, vec![0; BLOCK]);
-        loop {
-            match source.read(&mut block)? {
-                0 => break,
-                read => {
-                    hash.update(&block[..read]);
-                    bytes += read as u64;
-                }
-            }
-        }
-        let sha256 = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(Self { bytes, sha256 })
+    pub fn of(source: impl Read) -> io::Result<Self> {
+        let stamping = Stamping::default();
+        io::copy(&mut stamping.reader(source), &mut io::sink())?;
+        Ok(stamping.stamp())
     }
 
     /// Of a file; none of a stream, which can be read only once, and of what cannot be read.
     pub fn of_file(file: &Path) -> Option<Self> {
         let is_file = file.metadata().is_ok_and(|there| there.is_file());
         is_file.then(|| Self::of(File::open(file).ok()?).ok()).flatten()
+    }
+}
+
+/// A stamp of what goes through its readers.
+#[derive(Clone, Default)]
+pub(super) struct Stamping(Rc<RefCell<(Sha256, u64)>>);
+
+impl Stamping {
+    /// Stamps what is read.
+    pub fn reader<R: Read>(&self, source: R) -> Stamped<R> {
+        Stamped { source, stamping: self.clone() }
+    }
+
+    /// The stamp of what has been read.
+    pub fn stamp(&self) -> Stamp {
+        let (hash, bytes) = &*self.0.borrow();
+        let sha256 = hash.clone().finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        Stamp { bytes: *bytes, sha256 }
+    }
+}
+
+/// A source that is stamped while it is read.
+pub(super) struct Stamped<R> {
+    source: R,
+    stamping: Stamping,
+}
+
+impl<R: Read> Read for Stamped<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let read = self.source.read(buffer)?;
+        let (hash, bytes) = &mut *self.stamping.0.borrow_mut();
+        hash.update(&buffer[..read]);
+        *bytes += read as u64;
+        Ok(read)
     }
 }
 

@@ -85,8 +85,7 @@ fn outcome(first: &Measured, later: &Measured) -> Outcome {
         return Outcome::OtherSums([first, later].map(|f| f.value_of.clone().unwrap_or("nothing".to_owned())));
     }
     let at = |own: &MeasuredPoint| {
-        let near = |other: &&MeasuredPoint| (other.at - own.at).abs() <= 1e-9 * own.at.abs().max(1.0);
-        let other = later.points.iter().find(near)?;
+        let other = later.at(own.at)?;
         Some([own.at, other.value - own.value, own.u95.hypot(other.u95)])
     };
     let points: Vec<[f64; 3]> = first.points.iter().filter_map(at).collect();

@@ -19,8 +19,8 @@ pub fn changes(reports: &[Reported], changes: &[Change], function: &str) -> Resu
     let own: Vec<(usize, &Reported, Measured)> =
         reports.iter().enumerate().filter_map(|(at, report)| Some((at, report, of(report)?))).collect();
     let Some((_, _, first)) = own.first() else { return Err(PlotError::NoPoints { panel: 1 }) };
-    let across = if first.coordinate.ends_with("_deg") { Unit::Deg } else { Unit::Mm };
-    let x = first.coordinate.rsplit_once('_').map_or("", |(name, _)| name);
+    let (x, suffix) = first.axis();
+    let across = if suffix == "deg" { Unit::Deg } else { Unit::Mm };
     let both = |name: String, at: usize, points: &[[f64; 3]]| {
         let tone = TONES[at % TONES.len()];
         let band = points.iter().map(|[x, y, u]| (*x, y - u, y + u)).collect();
@@ -60,14 +60,13 @@ pub fn over_time(reports: &[Reported], function: &str, at: f64) -> Result<String
     };
     let values = reports.iter().enumerate().filter_map(|(number, report)| {
         let own = report.functions.iter().find(|f| f.name == function)?;
-        let point = own.points.iter().find(|p| (p.at - at).abs() <= 1e-9 * at.abs().max(1.0))?;
+        let point = own.at(at)?;
         Some((when((number, report)), own, *point))
     });
     let mut points: Vec<_> = values.collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let Some((_, own, _)) = points.get(1) else { return Err(PlotError::NoPoints { panel: 1 }) };
-    let coordinate = own.coordinate.replace("_deg", "°").replace("_mm", " mm");
-    let (name, suffix) = own.coordinate.rsplit_once('_').unwrap_or((&coordinate, ""));
+    let (name, suffix) = own.axis();
     let title = format!("{function} at {name} = {at}{}", if suffix == "deg" { "°" } else { " mm" });
     let band = points.iter().map(|(t, _, p)| (*t, p.value - p.u95, p.value + p.u95)).collect();
     let line = points.iter().map(|(t, _, p)| (*t, p.value)).collect();

@@ -31,6 +31,18 @@ pub struct Measured {
     pub points: Vec<MeasuredPoint>,
 }
 
+impl Measured {
+    /// The name of its coordinate and the unit's suffix: `a`, `deg`.
+    pub fn axis(&self) -> (&str, &str) {
+        self.coordinate.rsplit_once('_').unwrap_or((&self.coordinate, ""))
+    }
+
+    /// Its point at a coordinate, but for rounding.
+    pub fn at(&self, at: f64) -> Option<&MeasuredPoint> {
+        self.points.iter().find(|point| (point.at - at).abs() <= 1e-9 * at.abs().max(1.0))
+    }
+}
+
 /// One of its points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredPoint {

@@ -29,8 +29,11 @@ pub fn plan(planned: &Planned) -> String {
     out += "\n## The runs, in this order\n\n\
             Warm the machine up. Where the placing is the same as before, leave the balls where they are: the model counts on \
             it.\nEach run goes there and back; the coordinates are the model's, whose zero point is to be set as work offset.\n\n";
+    let mut before = None;
     for (at, (run, path)) in ordered(planned).into_iter().enumerate() {
-        out += &one(planned, at, run, path);
+        let own = placing(planned, run);
+        out += &one(planned, at, run, path, before == Some(own));
+        before = Some(own);
     }
     out += "\n## Afterwards\n\nPut the readings into the files named above, beside `trunnion.toml`, and enter there what is known \
             of machine and\ninstrument. Then, in this folder:\n\n    trunnion fit\n\n\
@@ -72,7 +75,7 @@ fn placing<'a>(planned: &Planned<'a>, run: RunId) -> [&'a Ball; 2] {
     [&run.workpiece_ball, &run.tool_ball]
 }
 
-fn one(planned: &Planned, at: usize, run: RunId, path: &Path) -> String {
+fn one(planned: &Planned, at: usize, run: RunId, path: &Path, as_before: bool) -> String {
     let setup = planned.setup;
     let name = planned.name(run);
     let [from, to] = path.measured.map(f64::to_degrees);
@@ -89,9 +92,7 @@ fn one(planned: &Planned, at: usize, run: RunId, path: &Path) -> String {
         let [x, y, z] = ball.map(|x| format!("{:.3}", x + 0.0));
         let _ = writeln!(out, "* Ball of the {whose} at ({x}, {y}, {z}) mm of what carries it.");
     }
-    if at > 0
-        && ordered(planned).get(at - 1).is_some_and(|(before, _)| placing(planned, *before) == placing(planned, run))
-    {
+    if as_before {
         out += "* The placing is the same as before.\n";
     }
     for (axis, (name, kind)) in path.axes.iter().enumerate() {

@@ -17,13 +17,15 @@ use super::trace::{Trace, Tracing};
 use super::weighed_down::WeighedDown;
 use super::weights::Weights;
 use nalgebra::{DMatrix, DVector};
+use serde::Deserialize;
 use trunnion_codegen::algebra::AlgebraError;
 use trunnion_codegen::graph::Lanes;
 use trunnion_codegen::ids::{BaseId, FunctionId, RunId};
 use trunnion_solver::lstsq::Step;
 
 /// How the runs are combined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Estimator {
     /// All runs at once.
     #[default]
