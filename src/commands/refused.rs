@@ -41,6 +41,14 @@ pub enum Refused {
     Circular(#[from] CircularError),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Trace(PathBuf, TraceError),
+    #[error(
+        "{file}: {what}\n  expected one run in each direction, or one: `trunnion import` divides a file, --cw and --ccw take its parts",
+        file = .0.display(),
+        what = .1
+    )]
+    Paths(PathBuf, String),
+    #[error("no length of the ball-bar\n  expected --radius MM, or a .b5r that says it")]
+    NoLength,
     #[error(transparent)]
     Report(#[from] ReportError),
     #[error("{}", setup(.0))]
