@@ -10,6 +10,7 @@ use trunnion::circular::{CircularError, TraceError};
 use trunnion::data::{
     FileError, FileProblem, NativeError, ObservationsError, ProjectError, RadiusError, TextError, WriteError,
 };
+use trunnion::export::{GridError, NoAxis};
 use trunnion::history::HistoryError;
 use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
@@ -105,6 +106,23 @@ pub enum Refused {
     Design(#[from] DesignError),
     #[error("--samples {0}: too many\n  expected at most {1} for each of {2} runs")]
     Samples(u32, usize, usize),
+    #[error("--function {0}: no function that this model estimates\n  expected one of {1}")]
+    NotEstimated(String, String),
+    #[error(
+        "{name} is {words}: there is no value of it to export\n  expected runs that determine it (`trunnion plan` looks for them), \
+         or what is known beforehand as [assume] in the model file{example}"
+    )]
+    NotDetermined { name: String, words: String, example: String },
+    #[error("--format {0}: no place for {1}, which is not the axis' own position\n  expected {2}")]
+    NoPlace(&'static str, String, &'static str),
+    #[error("--both-directions: {0}\n  expected {1}")]
+    NotBoth(String, &'static str),
+    #[error("{0}")]
+    Grid(#[from] GridError),
+    #[error(transparent)]
+    NoAxis(#[from] NoAxis),
+    #[error("--{0} {1}:{2}: measured was {3}\n  expected a range within it: nothing is known beyond")]
+    NotMeasured(&'static str, f64, f64, String),
     #[error("--{0} {1}: {2}")]
     Option(&'static str, String, &'static str),
 }
