@@ -28,6 +28,7 @@ mod seen;
 pub mod shell;
 mod simulated;
 mod stated;
+mod tabled;
 
 pub use refused::Refused;
 pub use seen::seen;

@@ -5,7 +5,7 @@ use crate::study::{Setup, coordinate};
 use thiserror::Error;
 use trunnion_codegen::algebra::at;
 use trunnion_codegen::ids::FunctionId;
-use trunnion_codegen::model::{Axis, AxisKind, iso_motion};
+use trunnion_codegen::model::{Axis, AxisKind, Component, iso_motion};
 use trunnion_codegen::quantity::{Quantity, Unit};
 
 /// A motion error as a function of its axis' coordinate.
@@ -15,15 +15,28 @@ pub struct Subject {
     pub name: String,
     /// What ISO 230-1 calls it: `EAA`.
     pub iso: String,
+    /// Which of the six it is, in the order X Y Z A B C.
+    pub component: Component,
     /// What the control calls the axis.
     pub axis: String,
     /// Length or angle.
     pub quantity: Quantity,
     /// The unit of the coordinate: degrees or mm.
     pub along: Unit,
-    /// 1 where the error is a position further along the axis' own motion, −1 where the axis' positive motion is against the error's
-    /// direction; none where it is not the axis' position that is wrong.
-    pub own: Option<f64>,
+    /// What can take it off.
+    pub taken_off: TakenOff,
+}
+
+/// Which axis' position can take an error off. The sense is 1 where that axis, further along its own motion, does to the tool against
+/// the workpiece what the error does, −1 where it does the opposite.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TakenOff {
+    /// Its own: the error is one of its position.
+    Own(f64),
+    /// That of another axis, which moves along the error.
+    Other(String, f64),
+    /// None.
+    None,
 }
 
 /// A function that is no error of an axis.
@@ -39,21 +52,47 @@ impl Subject {
     pub fn new(setup: &Setup, function: FunctionId, axis: Option<&str>) -> Result<Self, NoAxis> {
         let name = setup.function_name(function);
         let error = setup.model.functions[function].error;
-        let Some((own, (_, component))) = setup.axis(function).zip(setup.model.axis_of(error)) else {
+        let Some((own, (id, component))) = setup.axis(function).zip(setup.model.axis_of(error)) else {
             return Err(NoAxis(name));
         };
-        let turns = own.kind == AxisKind::Rotary;
-        let along = direction(setup, own)[component.index() % 3];
-        let is_own = component.is_rotation() == turns && (along.abs() - 1.0).abs() < 1e-12;
         Ok(Self {
             name,
             iso: iso_motion(component, &own.name),
+            component,
             axis: axis.unwrap_or(&own.name).to_owned(),
             quantity: setup.quantity(function),
             along: coordinate(own).coordinate(),
-            own: is_own.then_some(along.signum()),
+            taken_off: taken_off(setup, (usize::from(id), own), component),
         })
     }
+}
+
+fn taken_off(setup: &Setup, (place, own): (usize, &Axis), component: Component) -> TakenOff {
+    let along = |axis: &Axis| direction(setup, axis)[component.index() % 3];
+    let is_along = |axis: &Axis| (along(axis).abs() - 1.0).abs() < 1e-12;
+    let kind = if component.is_rotation() { AxisKind::Rotary } else { AxisKind::Linear };
+    if own.kind == kind && is_along(own) {
+        return TakenOff::Own(along(own).signum());
+    }
+    // An axis that a rotary one carries moves along it only here and there.
+    let upright = |place: usize| carriers(setup, place).all(|axis| axis.kind == AxisKind::Linear);
+    let side = |place: usize| if place < setup.model.workpiece.len() { -1.0 } else { 1.0 };
+    let other = setup
+        .model
+        .axes()
+        .enumerate()
+        .find(|(place, axis)| kind == AxisKind::Linear && axis.kind == kind && is_along(axis) && upright(*place));
+    match other.filter(|_| upright(place)) {
+        Some((at, axis)) => TakenOff::Other(axis.name.clone(), side(place) * side(at) * along(axis).signum()),
+        None => TakenOff::None,
+    }
+}
+
+/// The axes that carry an axis, the workpiece's side first in its count.
+fn carriers(setup: &Setup, place: usize) -> impl Iterator<Item = &Axis> {
+    let workpiece = setup.model.workpiece.len();
+    let side = if place < workpiece { &setup.model.workpiece[..place] } else { &setup.model.tool[..place - workpiece] };
+    side.iter()
 }
 
 /// The direction of an axis' positive motion, in machine coordinates.
@@ -81,11 +120,34 @@ impl Table {
         Self { subject, grid, errors: [increasing, decreasing], both }
     }
 
-    /// Errors of the axis' own position, in degrees or mm further along its positive motion.
-    pub(super) fn own(&self) -> Option<[Vec<f64>; 2]> {
-        let sense = self.subject.own?;
+    /// The same with an offset (mm or rad) taken off all of its errors.
+    #[must_use]
+    pub fn less(mut self, offset: f64) -> Self {
+        self.errors.iter_mut().flatten().for_each(|error| *error -= offset);
+        self
+    }
+
+    /// Errors in degrees or mm, times a factor.
+    pub(super) fn scaled(&self, factor: f64) -> [Vec<f64>; 2] {
         let unit = self.subject.quantity.coordinate();
-        Some(self.errors.each_ref().map(|errors| errors.iter().map(|e| unit.from_inner(sense * e)).collect()))
+        self.errors.each_ref().map(|errors| errors.iter().map(|e| unit.from_inner(factor * e)).collect())
+    }
+
+    /// What of such values, times the same factor, is taken off: mm or rad.
+    pub(super) fn kept(&self, values: &[Vec<f64>; 2], factor: f64) -> [Vec<f64>; 2] {
+        let unit = self.subject.quantity.coordinate();
+        values.each_ref().map(|values| values.iter().map(|value| factor * unit.to_inner(*value)).collect())
+    }
+
+    /// The sense of the axis' own position, where it is that which is wrong.
+    pub(super) fn own(&self) -> Option<f64> {
+        if let TakenOff::Own(sense) = self.subject.taken_off { Some(sense) } else { None }
+    }
+
+    /// Whether it goes over a whole turn, once.
+    pub(super) fn is_a_turn(&self) -> bool {
+        let over = self.grid.to() - self.grid.from();
+        self.subject.along == Unit::Deg && (over - 360.0).abs() < 1e-6
     }
 
     /// Coordinates with both errors there.

@@ -1,8 +1,7 @@
 //! What fails on a control, or surprises there.
 
-use super::format::Facts;
+use super::facts::Facts;
 use super::table::Table;
-use super::written::Written;
 use std::fmt;
 use trunnion_codegen::quantity::Unit;
 
@@ -64,7 +63,13 @@ impl fmt::Display for Warning {
 }
 
 /// Everything to be wary of; `home` is where the axis powers up, `range` where it goes in the model, degrees or mm.
-pub fn warnings(table: &Table, facts: &Facts, written: &Written, home: f64, range: Option<[f64; 2]>) -> Vec<Warning> {
+pub fn warnings(
+    table: &Table,
+    facts: &Facts,
+    kept: &[Vec<f64>; 2],
+    home: f64,
+    range: Option<[f64; 2]>,
+) -> Vec<Warning> {
     let grid = &table.grid;
     let (from, to) = (grid.from(), grid.to());
     let deviation = table.subject.quantity.deviation();
@@ -75,7 +80,7 @@ pub fn warnings(table: &Table, facts: &Facts, written: &Written, home: f64, rang
     }
     let last = grid.rows() - 1;
     let place = ((home - from) / grid.step()).clamp(0.0, last as f64);
-    let there = written.kept.each_ref().map(|kept| {
+    let there = kept.each_ref().map(|kept| {
         let (row, share) = (place.floor() as usize, place.fract());
         let value = |row: usize| kept.get(row.min(last)).copied().unwrap_or(0.0);
         value(row) + share * (value(row + 1) - value(row))
@@ -90,9 +95,14 @@ pub fn warnings(table: &Table, facts: &Facts, written: &Written, home: f64, rang
         warnings.push(Warning::MoreThanATurn);
     }
     if beyond && (range.is_some() || turns) {
-        warnings.push(Warning::Ends { table: [from, to], axis: range, does: facts.ends, unit: table.subject.along });
+        warnings.push(Warning::Ends {
+            table: [from, to],
+            axis: range,
+            does: facts.ends.words(),
+            unit: table.subject.along,
+        });
     }
-    let jump = written.kept.iter().map(|kept| (kept[last] - kept[0]).abs()).fold(0.0, f64::max);
+    let jump = kept.iter().map(|kept| (kept[last] - kept[0]).abs()).fold(0.0, f64::max);
     if turns && (to - from - TURN).abs() <= slack && jump > NONE {
         warnings.push(Warning::Jump(shown(jump), deviation.symbol()));
     }

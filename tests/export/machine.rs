@@ -3,6 +3,7 @@
 use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::cell::Cell;
+use trunnion::export::{Subject, TakenOff};
 use trunnion::study::{
     ErrorLimits, Estimator, Fit, Instrument, Observation, Population, Setup, SimulatedMachine, fit, report,
 };
@@ -81,6 +82,14 @@ impl Bench {
         self.setup.model.functions[self.function].error
     }
 
+    /// −1 where the axis' positive motion is against the error's direction.
+    pub fn sense(&self) -> f64 {
+        match Subject::new(&self.setup, self.function, None).unwrap().taken_off {
+            TakenOff::Own(sense) => sense,
+            other => panic!("{other:?}"),
+        }
+    }
+
     /// One of its coordinates in degrees or mm, in rad or mm.
     pub fn inner(&self, at: f64) -> f64 {
         if self.setup.axis(self.function).unwrap().kind == AxisKind::Rotary { at.to_radians() } else { at }
@@ -112,8 +121,8 @@ impl Bench {
                         machine: &self.machine,
                         errors: described.motion,
                         own: self.error(),
-                        sense: 1.0,
-                        offset: self.hysteresis / if forward { 2.0 } else { -2.0 },
+                        sense: self.sense(),
+                        offset: self.sense() * self.hysteresis / if forward { 2.0 } else { -2.0 },
                         trim: &added,
                     };
                     exact.values(&driven).collect::<Vec<f64>>()
