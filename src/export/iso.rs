@@ -3,6 +3,7 @@
 
 use super::digits::{comments, decimal, number};
 use super::table::Table;
+use super::written::Kept;
 
 /// Digits behind the point: of a value, of a coordinate.
 const DIGITS: [usize; 2] = [12, 6];
@@ -11,7 +12,7 @@ const DIGITS: [usize; 2] = [12, 6];
 pub type Constant = (String, f64);
 
 /// What of a table's mean of both directions is kept, mm or rad.
-pub(super) fn kept(table: &Table) -> [Vec<f64>; 2] {
+pub(super) fn kept(table: &Table) -> Kept {
     let kept: Vec<f64> = mean(table).map(|value| number(&decimal(value, DIGITS[0]))).collect();
     [kept.clone(), kept]
 }
