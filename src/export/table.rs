@@ -127,6 +127,14 @@ impl Table {
         self
     }
 
+    /// The same for formats with one value for both directions: their mean.
+    #[must_use]
+    pub(super) fn mean(&self) -> Self {
+        let [forward, reverse] = &self.errors;
+        let mean: Vec<f64> = forward.iter().zip(reverse).map(|(forward, reverse)| (forward + reverse) / 2.0).collect();
+        Self { errors: [mean.clone(), mean], both: false, ..self.clone() }
+    }
+
     /// Errors in degrees or mm, times a factor.
     pub(super) fn scaled(&self, factor: f64) -> [Vec<f64>; 2] {
         let unit = self.subject.quantity.coordinate();

@@ -1,5 +1,8 @@
 //! Compensation tables: what a control makes of them, and what then remains of the error.
 
+mod commands;
 mod machine;
+mod pages;
+mod properties;
 mod readers;
 mod signs;
