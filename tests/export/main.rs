@@ -1,6 +1,7 @@
 //! Compensation tables: what a control makes of them, and what then remains of the error.
 
 mod commands;
+mod cross;
 mod machine;
 mod pages;
 mod properties;
