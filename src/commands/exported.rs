@@ -34,6 +34,8 @@ pub struct OneExported<'a> {
     /// The hysteresis where it is largest: coordinate, forward less reverse, and the expanded uncertainty of that from noise, µm or
     /// µrad; or why the directions are not told apart.
     hysteresis: Result<[f64; 3], &'a str>,
+    /// Rows that the control takes, at most.
+    most_rows: Option<usize>,
     /// What was taken off all errors, µm or µrad.
     offset: f64,
     /// What the grid leaves, µm or µrad.
@@ -72,6 +74,7 @@ impl<'a> OneExported<'a> {
             table,
             u95: points.map(|point| point.u95).fold(0.0, f64::max),
             hysteresis,
+            most_rows: facts.rows,
             offset: unit.from_inner(*offset),
             left: unit.from_inner(left(table, &kept, facts.between, |at| own.error(setup, fit, at))),
             warnings: warnings(table, facts, &kept, home, range),
@@ -85,16 +88,17 @@ impl<'a> OneExported<'a> {
         let (unit, along) = (quantity.deviation().symbol(), along.symbol());
         let directions = match &self.hysteresis {
             Ok([at, by, u95]) => format!(
-                "both; forward less reverse is at most {by:+.3} ± {u95:.3} {unit}, at {at} {along} (95 %, of noise; nothing else is \
-                 taken to turn with the direction)"
+                "both; forward less reverse is at most {by:+.3} ± {u95:.3} {unit}, at {at} {along} (95 %, of noise alone; nothing \
+                 else is taken to turn with the direction)"
             ),
             Err(why) => format!("the same for both: {why}"),
         };
+        let most = self.most_rows.map_or(String::new(), |most| format!(" of at most {most}"));
         let grid_error =
             format!("at most {:.4} {unit} from the function to what the control makes of its table", self.left);
         let mut lines = vec![
             ("function", format!("{name} ({iso}) of axis {axis}, at most ± {:.3} {unit} (95 %)", self.u95)),
-            ("rows", format!("{} from {} to {} {along} by {}", grid.rows(), grid.from(), grid.to(), grid.step())),
+            ("rows", format!("{}{most} from {} to {} {along} by {}", grid.rows(), grid.from(), grid.to(), grid.step())),
             ("directions", directions),
             ("grid error", grid_error),
         ];

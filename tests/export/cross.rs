@@ -2,6 +2,7 @@
 
 use crate::machine::Trim;
 use crate::readers;
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::process::Command;
 use trunnion::export::{Grid, OneFormat, Subject, Table, TakenOff, Told, write};
@@ -31,7 +32,7 @@ impl ErrorValues for Moved<'_> {
 /// Every run over a turn, the tool moved along y by what the trim of A's position gives, times `factor`.
 fn measured(setup: &Setup, machine: &SimulatedMachine, trim: Option<&Trim>, factor: f64) -> Vec<Observation> {
     let one = |run| {
-        let mut observation = Observation::zero(setup, run, &setup.swept(run, 181, (0.0, std::f64::consts::TAU)));
+        let mut observation = Observation::zero(setup, run, &setup.swept(run, 181, (0.0, TAU)));
         for sample in &mut observation.samples {
             let exact = setup.exact(run, &[sample.sweep]);
             let by = trim.map_or(0.0, |trim| factor * trim(sample.sweep.to_degrees(), true));
@@ -55,7 +56,7 @@ fn another_axis_takes_a_displacement_off() {
         // The workpiece is displaced as the error says: the tool against it the other way.
         assert_eq!(subject.taken_off, TakenOff::Other("Y".to_owned(), sense));
         let exact: Vec<ExactReading> =
-            setup.model.runs.keys().map(|run| setup.exact(run, &setup.swept(run, 181, (0.0, 6.28)))).collect();
+            setup.model.runs.keys().map(|run| setup.exact(run, &setup.swept(run, 181, (0.0, TAU)))).collect();
         let machine = Population::new(&setup, &exact, ErrorLimits::PAPER).draw(&mut ChaCha8Rng::seed_from_u64(3));
         let value = |observations: &[Observation], at: f64| {
             fit(&setup, observations, Estimator::Joint).unwrap().function(&setup, function, at.to_radians()).0

@@ -71,7 +71,7 @@ impl Bench {
     pub fn new(setup: Setup, function: usize, range_deg: (f64, f64), seed: u64) -> Self {
         let range = (range_deg.0.to_radians(), range_deg.1.to_radians());
         let sweeps: Vec<(RunId, Vec<f64>)> =
-            setup.model.runs.keys().map(|run| (run, setup.swept(run, 361, range))).collect();
+            setup.model.runs.keys().map(|run| (run, setup.swept(run, 181, range))).collect();
         let exact: Vec<ExactReading> = sweeps.iter().map(|(run, sweeps)| setup.exact(*run, sweeps)).collect();
         let machine = Population::new(&setup, &exact, ErrorLimits::PAPER).draw(&mut ChaCha8Rng::seed_from_u64(seed));
         let function = setup.estimated().nth(function).unwrap();
