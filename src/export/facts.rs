@@ -203,7 +203,7 @@ impl Format {
                 resolution: "the detection unit times parameter 3623",
                 needs: "parameters 3620 to 3625, as in the list; power off and on, reference return",
                 verified: Verified::Documented,
-                source: "Fanuc, B-63980EN p. 100, A-77810E",
+                source: "Fanuc, B-63980EN p. 100, A-77810E; the number of rows from others",
             },
             Self::All(AllFormat::Volcomp) => Facts { what: "VOLCOMP, ISG CSV", ..ISO },
             Self::All(AllFormat::Etalon) => Facts { what: "Etalon exchange format", ..ISO },

@@ -120,13 +120,6 @@ impl Table {
         Self { subject, grid, errors: [increasing, decreasing], both }
     }
 
-    /// The same with an offset (mm or rad) taken off all of its errors.
-    #[must_use]
-    pub fn less(mut self, offset: f64) -> Self {
-        self.errors.iter_mut().flatten().for_each(|error| *error -= offset);
-        self
-    }
-
     /// The same for formats with one value for both directions: their mean.
     #[must_use]
     pub(super) fn mean(&self) -> Self {
