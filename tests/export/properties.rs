@@ -34,7 +34,7 @@ fn linear(round: u64) -> Subject {
         axis: "X".to_owned(),
         quantity: Quantity::Length,
         along: Unit::Mm,
-        taken_off: TakenOff::Own(if round % 2 == 0 { 1.0 } else { -1.0 }),
+        taken_off: TakenOff::Own(if round.is_multiple_of(2) { 1.0 } else { -1.0 }),
     }
 }
 
@@ -48,7 +48,7 @@ fn every_reader_finds_what_was_written() {
         let step = [0.5, 1.0, 2.5, 5.0, 7.3][random.random_range(0..5)];
         let from = step * f64::from(random.random_range(-40..40));
         let grid = Grid::new(from, from + step * f64::from(random.random_range(1..120)), step).unwrap();
-        let both = round % 2 == 0;
+        let both = round.is_multiple_of(2);
         let error = |at: f64| [forward(at), if both { reverse(at) } else { forward(at) }];
         let turns = round % 3 > 0;
         let table = Table::new(if turns { rotary.clone() } else { linear(round) }, grid, both, error);
