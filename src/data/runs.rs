@@ -106,6 +106,7 @@ impl RunFiles {
         table: Option<&Rc<KnownTable>>,
     ) -> Result<Vec<Recorded<'a>>, FileError> {
         let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
+        let together = setup.measured_with(run);
         let columns = RunColumns {
             angle: Some(setup.model.alphabet.sweep_name(described.sweep)),
             reading: source.column,
@@ -115,7 +116,7 @@ impl RunFiles {
             },
             names: &self.columns,
             bar_mm: setup.bar(run),
-            least: derived.regressors.len() + 1,
+            least: setup.unknowns(&together).div_ceil(together.len()) + 1,
         };
         let table = table.filter(|_| !derived.known.is_empty());
         let known = || table.map_or_else(KnownAlong::default, |table| table.along(setup, run));

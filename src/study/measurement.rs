@@ -1,6 +1,7 @@
 //! What is measured at once: a run, or the three displacements of a ball, which are a run each.
 
 use super::setup::Setup;
+use std::collections::BTreeSet;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::{ReadingKind, Run};
 
@@ -43,6 +44,18 @@ impl Setup {
             all.push(measured);
         }
         all
+    }
+
+    /// The runs that are measured at once with a run, itself among them.
+    pub fn measured_with(&self, run: RunId) -> Vec<RunId> {
+        let own = self.measurements().into_iter().find(|measurement| measurement.runs.contains(&run));
+        own.map_or_else(|| vec![run], |measurement| measurement.runs)
+    }
+
+    /// How many base parameters some runs see.
+    pub fn unknowns(&self, runs: &[RunId]) -> usize {
+        let seen = runs.iter().flat_map(|run| &self.derivation.runs[*run].regressors);
+        seen.map(|(base, _)| *base).collect::<BTreeSet<_>>().len()
     }
 
     /// The three runs of which this is the first.

@@ -53,6 +53,13 @@ def run(program):
     mode(linuxcnc.MODE_MDI)
 
 
+def look(place):
+    mdi("G0 " + words("XYZAC", place))
+    pins = [f"joint.{joint}.motor-pos-cmd" for joint in range(5)], [f"sphere.0.off-{i}" for i in range(3)]
+    joints, off = ([hal.get_value(pin) for pin in own] for own in pins)
+    return {"place": place, "joints": joints, "off": off}
+
+
 def main():
     with open("job.json") as file:
         job = json.load(file)
@@ -69,14 +76,13 @@ def main():
     mdi("G54")
     for program in job["programs"]:
         run(program)
-    seen = []
+    seen = [look(place) for place in job["places"][:1]]
+    # The tip is set to the sphere's centre with both axes at zero, as one sets a work offset.
+    aside = seen[0]["off"] if seen else [0, 0, 0]
     for place in job["places"]:
-        mdi("G0 " + words("XYZAC", place))
-        pins = [f"joint.{joint}.motor-pos-cmd" for joint in range(5)], [f"sphere.0.off-{i}" for i in range(3)]
-        joints, off = ([hal.get_value(pin) for pin in own] for own in pins)
-        seen.append({"place": place, "joints": joints, "off": off})
+        seen.append(look([at - off for at, off in zip(place, aside)] + place[3:]))
     with open("result.json", "w") as file:
-        json.dump(seen, file)
+        json.dump(seen[1:], file)
 
 
 if __name__ == "__main__":

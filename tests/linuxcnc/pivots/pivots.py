@@ -18,7 +18,7 @@ KINEMATICS = "xyzac-trt-kins"
 # Where the cradle is nominally, mm.
 ZERO = [20.0, -35.0, -110.0]
 LENGTHS = {"L": 150.0, "H": 80.0}
-POSITIONS = 6
+POSITIONS = 8
 POSES = [(0, 0), (-60, 0), (30, 0), (0, 90), (0, 200), (-90, 120), (-45, -60), (20, 45)]
 FOUND = ["EY0A", "EZ0A", "EB0A", "EC0A", "EX0C", "EY0C", "EA0C", "EB0C"]
 
