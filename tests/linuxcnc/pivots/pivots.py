@@ -19,6 +19,7 @@ KINEMATICS = "xyzac-trt-kins"
 ZERO = [20.0, -35.0, -110.0]
 LENGTHS = {"L": 150.0, "H": 80.0}
 POSITIONS = 8
+LIMITS = ["--length-um", "500", "--angle-urad", "200"]
 POSES = [(0, 0), (-60, 0), (30, 0), (0, 90), (0, 200), (-90, 120), (-45, -60), (20, 45)]
 FOUND = ["EY0A", "EZ0A", "EB0A", "EC0A", "EX0C", "EY0C", "EA0C", "EB0C"]
 
@@ -66,16 +67,17 @@ def session(name, kinematics, plant, pins={}, programs=(), places=()):
     return json.loads((folder / "result.json").read_text())
 
 
-def pins(found, sign=1):
-    """What xyzac-trt-kins takes, by `trunnion export`; with the wrong sign on demand."""
-    nominal = {"x-rot-point": ZERO[0], "y-rot-point": ZERO[1], "z-rot-point": ZERO[2], "y-offset": 0.0}
-    change = {
-        "x-rot-point": found["EX0C"],
-        "y-rot-point": found["EY0A"] + found["EY0C"],
-        "z-rot-point": found["EZ0A"],
-        "y-offset": -found["EY0C"],
-    }
-    return {name: nominal[name] + sign * change[name] for name in nominal}
+def pins():
+    """What xyzac-trt-kins is told of a cradle as it was designed."""
+    return {"x-rot-point": ZERO[0], "y-rot-point": ZERO[1], "z-rot-point": ZERO[2], "y-offset": 0.0}
+
+
+def exported(*options):
+    """What `trunnion pivots` writes for it, from what it is told now."""
+    now = [word for name, value in pins().items() for word in ("--pin", f"{name}={value}")]
+    trunnion("pivots", "plan", *LIMITS, "--format", "linuxcnc", *now, "--out", "pivots.hal", "--force")
+    lines = re.findall(rf"^setp {KINEMATICS}[.](\S+) (\S+)$", Path("pivots.hal").read_text(), re.M)
+    return {name: float(value) for name, value in lines}
 
 
 def apart(seen, right):
@@ -91,14 +93,13 @@ def check(what, holds):
 
 
 def main():
-    nothing = dict.fromkeys(FOUND, 0.0)
     ball = [0.0, LENGTHS["L"], LENGTHS["H"]]
     places = [[*ball, a, c] for a, c in POSES]
 
     # Which way this version turns the table: where does the tool go to follow a point of it?
     straight = {f"ball-{i}": ball[i] for i in range(3)}
     probe = [[100, 0, 0, 0, 0], [100, 0, 0, 0, 10]]
-    seen = session("sense", KINEMATICS, straight, pins(nothing), places=probe)
+    seen = session("sense", KINEMATICS, straight, pins(), places=probe)
     moved = seen[1]["joints"][1] - seen[0]["joints"][1]
     sense = 1 if moved > 0 else -1
     print(f"{KINEMATICS} turns the table {'right' if sense > 0 else 'left'}-handed for positive angles")
@@ -121,7 +122,7 @@ def main():
     for run in runs:
         Path(f"plan/{run}.csv").write_text(Path(f"probing/{run}.csv").read_text())
 
-    fit = json.loads(trunnion("fit", "plan", "--length-um", "500", "--angle-urad", "200", "--json"))
+    fit = json.loads(trunnion("fit", "plan", *LIMITS, "--json"))
     unit = {"um": 1e-3, "urad": 1e-6}
     found, stated = {}, {}
     for function in fit["functions"]:
@@ -138,10 +139,11 @@ def main():
     check("what is found is the plant's within what is stated", sum(w <= 1 for w in within) >= 5 and max(within) <= 2)
 
     # The axes' directions, which these kinematics have no pins for, are off in all four.
-    right = session("right", KINEMATICS, ideal, pins(nothing), places=places)
+    right = session("right", KINEMATICS, ideal, pins(), places=places)
     control = lambda name, pins: apart(session(name, KINEMATICS, plant, pins, places=places), right)
-    before, after = control("before", pins(nothing)), control("after", pins(found))
-    turned = control("turned", pins(found, -1))
+    new = exported()
+    before, after = control("before", pins()), control("after", new)
+    turned = control("turned", {name: 2 * value - new[name] for name, value in pins().items()})
     # A turn by 180 degrees doubles what a pivot is off by.
     bound = 2 * math.hypot(*(stated[name] for name in ("EY0A", "EZ0A", "EX0C", "EY0C")))
     accepted = lambda left: left <= bound
