@@ -19,7 +19,11 @@ KINEMATICS = "xyzac-trt-kins"
 ZERO = [20.0, -35.0, -110.0]
 LENGTHS = {"L": 150.0, "H": 80.0}
 POSITIONS = 8
-LIMITS = ["--length-um", "500", "--angle-urad", "200"]
+# mm.
+TOUCH = 15.0
+# The equator is measured along Y, the top along Z: their scales differ by twice this at most, over the radius of a touch.
+SCALE = 2e-5
+LIMITS = ["--length-um", "500", "--angle-urad", "200", "--instrument-um", str(1e3 * TOUCH * 2 * SCALE)]
 POSES = [(0, 0), (-60, 0), (30, 0), (0, 90), (0, 200), (-90, 120), (-45, -60), (20, 45)]
 FOUND = ["EY0A", "EZ0A", "EB0A", "EC0A", "EX0C", "EY0C", "EA0C", "EB0C"]
 
@@ -29,7 +33,7 @@ def machine(seed):
     draw = random.Random(seed).uniform
     lengths = {name: draw(-0.3, 0.3) for name in ("ey0a", "ez0a", "ex0c", "ey0c")}
     angles = {name: draw(-1e-4, 1e-4) for name in ("eb0a", "ec0a", "ea0c", "eb0c", "ec0y", "eb0z", "ea0z")}
-    return lengths | angles | {f"scale-{i}": draw(-5e-5, 5e-5) for i in range(3)}
+    return lengths | angles | {f"scale-{i}": draw(-SCALE, SCALE) for i in range(3)}
 
 
 def trunnion(*arguments):
@@ -116,7 +120,7 @@ def main():
         text = text.replace('rotary = "x"', 'rotary = "-x"').replace('rotary = "z"', 'rotary = "-z"')
     model.write_text(text)
     lengths = [word for name, mm in LENGTHS.items() for word in ("--set", f"{name}={mm}")]
-    trunnion("new", str(model), *lengths, "--positions", str(POSITIONS), "--out", "plan")
+    trunnion("new", str(model), *lengths, "--positions", str(POSITIONS), "--touch-mm", str(TOUCH), "--out", "plan")
     runs = ["a", "c", "c-tilted"]
     session("probing", f"trivkins coordinates=XYZAC", plant, programs=[f"plan/{run}.linuxcnc.ngc" for run in runs])
     for run in runs:
