@@ -10,7 +10,7 @@ use trunnion::circular::{CircularError, TraceError};
 use trunnion::data::{
     FileError, FileProblem, NativeError, ObservationsError, ProjectError, RadiusError, TextError, WriteError,
 };
-use trunnion::export::{GridError, NoAxis, NoPlace};
+use trunnion::export::{GridError, NoAxis, NoPivots, NoPlace};
 use trunnion::history::HistoryError;
 use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
@@ -136,6 +136,12 @@ pub enum Refused {
     NotBoth(String),
     #[error("--{0} has no effect on {1}: {2}\n  expected it left out")]
     Idle(&'static str, &'static str, &'static str),
+    #[error("{0}")]
+    Pivots(#[from] NoPivots),
+    #[error(
+        "{0} is a location error: the same everywhere\n  expected --format volcomp or etalon, or `trunnion pivots`"
+    )]
+    IsLocation(String),
     #[error("{0}")]
     Grid(#[from] GridError),
     #[error(transparent)]

@@ -70,8 +70,11 @@ impl Asked<'_> {
     pub fn functions(&self, setup: &Setup) -> Result<Vec<FunctionId>, Refused> {
         let all: Vec<FunctionId> = setup.estimated().collect();
         let names = || all.iter().map(|f| setup.function_name(*f)).collect::<Vec<_>>().join(", ");
+        let is_location = |f: &FunctionId| setup.model.functions[*f].basis.is_one();
         let functions = match self.function {
-            None if self.all || all.len() == 1 => all,
+            // Location errors are constants of their own.
+            None if self.all => all.iter().copied().filter(|f| !is_location(f)).collect(),
+            None if all.len() == 1 => all,
             None => return Err(Refused::Which(names())),
             Some(wanted) => {
                 let is = |function: &&FunctionId| {
@@ -85,6 +88,9 @@ impl Asked<'_> {
                 vec![found.ok_or_else(|| Refused::NotEstimated(wanted.to_owned(), names()))?]
             }
         };
+        if let Some(location) = functions.iter().find(|f| is_location(f)) {
+            return Err(Refused::IsLocation(setup.function_name(*location)));
+        }
         let units = functions.iter().map(|f| Ok(Subject::new(setup, *f, None)?.along));
         self.effective(&units.collect::<Result<Vec<Unit>, Refused>>()?)?;
         Ok(functions)
@@ -124,6 +130,8 @@ impl Asked<'_> {
             }
         }
         match tables.is_empty() {
+            // Of a model that estimates location errors alone these are what is written.
+            true if self.all && estimates_locations(&measured.setup) => Ok((tables, left_out)),
             true => Err(Refused::NothingDetermined(
                 left_out.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", "),
             )),
@@ -213,7 +221,13 @@ impl Asked<'_> {
             let name = location(setup, error).filter(|_| setup.derivation.is_alone(base))?;
             Some((name, fit.values[at] / setup.number(factor)))
         };
-        fit.base.iter().enumerate().filter_map(constant).collect()
+        let mut constants: Vec<Constant> = fit.base.iter().enumerate().filter_map(constant).collect();
+        let estimated = setup.estimated().filter(|f| setup.model.functions[*f].basis.is_one());
+        for function in estimated.filter(|f| determined(setup, fit, *f).is_ok()) {
+            let name = location(setup, setup.model.functions[function].error);
+            constants.extend(name.map(|name| (name, fit.function(setup, function, 0.0).0)));
+        }
+        constants
     }
 }
 
@@ -223,6 +237,10 @@ fn location(setup: &Setup, error: ErrorId) -> Option<String> {
         let at = axis.location.iter().position(|own| *own == Some(error))?;
         Some(iso_location(Component::ALL[at], &axis.name).trim_start_matches('E').to_owned())
     })
+}
+
+fn estimates_locations(setup: &Setup) -> bool {
+    setup.estimated().any(|f| setup.model.functions[f].basis.is_one())
 }
 
 fn not_measured(option: &'static str, given: &str, covered: &Covered, unit: Unit) -> Refused {
