@@ -76,13 +76,13 @@ def main():
     mdi("G54")
     for program in job["programs"]:
         run(program)
-    seen = [look(place) for place in job["places"][:1]]
-    # The tip is set to the sphere's centre with both axes at zero, as one sets a work offset.
-    aside = seen[0]["off"] if seen else [0, 0, 0]
-    for place in job["places"]:
-        seen.append(look([at - off for at, off in zip(place, aside)] + place[3:]))
+    aside = [0, 0, 0]
+    if job["at-sphere"]:
+        # The tip is set to the sphere's centre with both axes at zero, as one sets a work offset.
+        aside = look(job["places"][0])["off"]
+    seen = [look([at - off for at, off in zip(place, aside)] + place[3:]) for place in job["places"]]
     with open("result.json", "w") as file:
-        json.dump(seen[1:], file)
+        json.dump(seen, file)
 
 
 if __name__ == "__main__":

@@ -43,7 +43,7 @@ def trunnion(*arguments):
     return done.stdout
 
 
-def session(name, kinematics, plant, pins={}, programs=(), places=()):
+def session(name, kinematics, plant, pins={}, programs=(), places=(), at_sphere=False):
     """One run of the control from start to end."""
     folder = Path(name)
     folder.mkdir()
@@ -58,11 +58,13 @@ def session(name, kinematics, plant, pins={}, programs=(), places=()):
         for feed, mm in (("fast", 1500), ("slow", 60), ("clear", 2)):
             text = re.sub(rf"^#<_{feed}> = [\d.]+", f"#<_{feed}> = {mm}", text, flags=re.M)
         (folder / Path(program).name).write_text(text)
-    sphere = {f"zero-{i}": ZERO[i] for i in range(3)} | plant
+    # Where nothing is probed the tip is put into the sphere, which must not be a touch.
+    sphere = {f"zero-{i}": ZERO[i] for i in range(3)} | plant | {"touch-mm": TOUCH if programs else 0}
     hal = {f"sphere.0.{name}": float(value) for name, value in sphere.items()}
     hal |= {f"{KINEMATICS}.{name}": float(value) for name, value in pins.items()}
     names = [Path(program).name for program in programs]
-    job = {"hal": hal, "zero": ZERO, "programs": names, "places": [list(map(float, place)) for place in places]}
+    job = {"hal": hal, "zero": ZERO, "programs": names, "at-sphere": at_sphere}
+    job["places"] = [list(map(float, place)) for place in places]
     (folder / "job.json").write_text(json.dumps(job))
     with open(folder / "log", "w") as log:
         done = subprocess.run(["linuxcnc", "-r", "machine.ini"], cwd=folder, stdout=log, stderr=log)
@@ -105,7 +107,8 @@ def main():
     probe = [[100, 0, 0, 0, 0], [100, 0, 0, 0, 10]]
     seen = session("sense", KINEMATICS, straight, pins(), places=probe)
     moved = seen[1]["joints"][1] - seen[0]["joints"][1]
-    sense = 1 if moved > 0 else -1
+    sense = round(moved / (100 * math.sin(math.radians(10))))
+    check(f"{KINEMATICS} turns the table about C by as much as told", abs(sense) == 1)
     print(f"{KINEMATICS} turns the table {'right' if sense > 0 else 'left'}-handed for positive angles")
 
     truth = machine(int(sys.argv[1]) if len(sys.argv) > 1 else 2026)
@@ -143,8 +146,8 @@ def main():
     check("what is found is the plant's within what is stated", sum(w <= 1 for w in within) >= 5 and max(within) <= 2)
 
     # The axes' directions, which these kinematics have no pins for, are off in all four.
-    right = session("right", KINEMATICS, ideal, pins(), places=places)
-    control = lambda name, pins: apart(session(name, KINEMATICS, plant, pins, places=places), right)
+    right = session("right", KINEMATICS, ideal, pins(), places=places, at_sphere=True)
+    control = lambda name, pins: apart(session(name, KINEMATICS, plant, pins, places=places, at_sphere=True), right)
     new = exported()
     before, after = control("before", pins()), control("after", new)
     turned = control("turned", {name: 2 * value - new[name] for name, value in pins().items()})
