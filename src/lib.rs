@@ -35,6 +35,7 @@
 //! | write the NC program of a run | [`program`] |
 //! | say what has changed between reports | [`history`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
+//! | hand results to a program as JSON | [`document`] |
 //! | make a page of a fit that one hands over | [`report`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
@@ -42,6 +43,7 @@
 
 pub mod circular;
 pub mod data;
+pub mod document;
 pub mod exechon;
 pub mod history;
 pub mod import;

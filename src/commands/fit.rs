@@ -5,11 +5,12 @@ use super::output::{print, say};
 use super::pair::pair;
 use super::reported::{ReportArguments, read};
 use super::stated::{InstrumentArguments, LimitArguments};
-use super::{Refused, document, seen};
+use super::{Refused, seen};
 use clap::{ArgGroup, Args, ValueEnum};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use trunnion::data::{Columns, ObservationsError, Project, Recorded, RunFiles, Stamp, curve_files};
+use trunnion::document;
 use trunnion::report as page;
 use trunnion::study::plan::subset;
 use trunnion::study::{

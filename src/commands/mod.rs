@@ -13,7 +13,6 @@ pub mod new;
 pub mod plan;
 pub mod simulate;
 
-mod document;
 mod model;
 mod number;
 pub mod output;

@@ -90,6 +90,21 @@ impl<T: Real, const P: usize> Blocked<T, P> {
         Ok(())
     }
 
+    /// Takes all samples of another factor; of no rows yet, it is that factor to the bit.
+    ///
+    /// # Errors
+    /// As [`Factor::merge`]; nothing is taken then.
+    pub fn merge(&mut self, other: &Factor<T, P>) -> Result<(), Rejected> {
+        if self.factor.samples == 0 && self.rows == 0 {
+            self.factor = *other;
+            return Ok(());
+        }
+        // Those of the group are still to come.
+        let samples = self.factor.samples.checked_add(self.rows).and_then(|own| own.checked_add(other.samples));
+        samples.ok_or(Rejected::Overflow)?;
+        self.factor.merge(other)
+    }
+
     /// The factor of all rows so far.
     pub fn factor(&self) -> Factor<T, P> {
         let mut all = self.clone();

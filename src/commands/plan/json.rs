@@ -1,8 +1,8 @@
 //! The plan for a program.
 
 use super::found::Found;
-use crate::commands::document;
 use serde_json::{Value, json};
+use trunnion::document;
 use trunnion::study::plan::{Compared, Predicted};
 use trunnion_codegen::ids::{BaseId, ParameterId};
 
