@@ -1,8 +1,10 @@
 //! Results as one JSON object each, for a program: what the commands print and other languages get.
 
 mod design;
+mod prediction;
 
 pub use design::design;
+pub use prediction::prediction;
 
 use crate::data::{MachineAtHand, Unit};
 use crate::study::{

@@ -42,6 +42,11 @@ impl<'a> Path<'a> {
         Self { machine, frame: machine.frame(), coordinates, tilted, start: machine.home().start() }
     }
 
+    /// Coordinates of its points and directions.
+    pub fn coordinates(&self) -> Coordinates {
+        self.coordinates
+    }
+
     /// The pose of a tool point (mm) and direction: from the pose before, else from home. Of one that is refused nothing stays.
     ///
     /// # Errors

@@ -95,13 +95,11 @@ impl<T: Real, const P: usize> Blocked<T, P> {
     /// # Errors
     /// As [`Factor::merge`]; nothing is taken then.
     pub fn merge(&mut self, other: &Factor<T, P>) -> Result<(), Rejected> {
-        if self.factor.samples == 0 && self.rows == 0 {
+        self.merge_group();
+        if self.factor.samples == 0 {
             self.factor = *other;
             return Ok(());
         }
-        // Those of the group are still to come.
-        let samples = self.factor.samples.checked_add(self.rows).and_then(|own| own.checked_add(other.samples));
-        samples.ok_or(Rejected::Overflow)?;
         self.factor.merge(other)
     }
 

@@ -1,0 +1,35 @@
+//! The extension module of the Python package: arguments in, the library called, arrays and dicts out. It does no mathematics.
+
+mod arguments;
+mod errors;
+mod exechon;
+mod factor;
+mod fit;
+mod model;
+mod setup;
+mod simulated;
+mod table;
+
+use pyo3::prelude::*;
+
+/// What `trunnion` is made of.
+#[pymodule]
+mod _trunnion {
+    #[pymodule_export]
+    use super::exechon::Exechon;
+    #[pymodule_export]
+    use super::factor::Factor;
+    #[pymodule_export]
+    use super::fit::Fit;
+    #[pymodule_export]
+    use super::model::{Derivation, Model, models};
+    #[pymodule_export]
+    use super::setup::Setup;
+    #[pymodule_export]
+    use super::simulated::Simulated;
+}
+
+/// A result as a dict: the one of the commands' `--json`.
+fn object<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'py, PyAny>> {
+    py.import("json")?.call_method1("loads", (value.to_string(),))
+}
