@@ -41,7 +41,7 @@ impl Model {
         let described = Described { model: Named { name, text }, stated: None };
         let derived = py.detach(|| described.derive());
         let (model, derivation) = derived.map_err(|found| errors::problems(&described, &found))?;
-        let derivation = Py::new(py, Derivation { model: Arc::new(model), derivation: Arc::new(derivation) })?;
+        let derivation = Py::new(py, Derivation::of(model, derivation))?;
         Ok(Self { described: Arc::new(described), derivation })
     }
 
@@ -288,6 +288,10 @@ impl Derivation {
 }
 
 impl Derivation {
+    pub fn of(model: described::Model, derivation: trunnion_codegen::identify::Derivation) -> Self {
+        Self { model: Arc::new(model), derivation: Arc::new(derivation) }
+    }
+
     fn json(&self) -> serde_json::Value {
         equations::json(&self.model, &self.derivation)
     }

@@ -4,7 +4,7 @@ use crate::arguments::{estimator, limits, range, size, within};
 use crate::errors::{self, Class};
 use crate::factor::Factor;
 use crate::fit::Fit;
-use crate::model::Model;
+use crate::model::{Derivation, Model};
 use crate::object;
 use crate::simulated::Simulated;
 use crate::table::{Given, array, complete};
@@ -132,6 +132,11 @@ impl Setup {
     #[getter]
     fn functions(&self) -> Vec<String> {
         self.setup.estimated().map(|f| self.setup.function_name(f)).collect()
+    }
+
+    /// What its runs tell, exact: of a subset's only those.
+    fn derive(&self) -> Derivation {
+        Derivation::of(self.setup.model.clone(), self.setup.derivation.clone())
     }
 
     /// The same with only some of its runs, derived anew.
@@ -279,16 +284,16 @@ impl Setup {
 
     /// What such runs would give, before anything is measured: rank, condition, the standard deviation of each base parameter, the
     /// largest standard and expanded uncertainty of each estimated function in its unit, from noise alone.
-    #[pyo3(signature = (*, samples=360, noise_um=0.1, range_deg=(0.0, 360.0), estimator="joint"))]
+    #[pyo3(signature = (*, samples=360, noise_um=0.1, range_deg=None, estimator="joint"))]
     fn predict<'py>(
         &self,
         py: Python<'py>,
         samples: usize,
         noise_um: f64,
-        range_deg: (f64, f64),
+        range_deg: Option<(f64, f64)>,
         estimator: &str,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (from, to) = range(range_deg)?;
+        let (from, to) = range(range_deg.unwrap_or((0.0, 360.0)))?;
         let intended = Intended {
             samples: within("samples", samples, 2..=100_000)?,
             range: (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to)),

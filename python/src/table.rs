@@ -194,7 +194,7 @@ pub fn array<'py>(of: &str, what: &str, value: &Bound<'py, PyAny>) -> PyResult<P
     if shape.len() != 1 {
         return Err(Class::Data.error(format!("run `{of}`: {what} has the shape {shape:?}\n  expected one dimension")));
     }
-    Ok(array.extract()?)
+    array.extract()
 }
 
 /// Numbers of any shape, as `float64` in C order.

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 import trunnion
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -10,6 +10,7 @@ import pandas as pd
 import polars as pl
 import pyarrow as pa
 import pytest
+
 import trunnion
 from trunnion import DataError, EstimateError, ModelError, TrunnionError
 
@@ -97,7 +98,11 @@ BAD = [
     (lambda a, r: {"b_deg": a, "dr_um": r}, DataError, "no column a_deg or a_rad"),
     (lambda a, r: {"a_deg": a, "a_rad": a, "dr_um": r}, DataError, "both a_deg and a_rad"),
     (lambda a, r: {"a_rad": a, "dr_mm": r, "dya_um": r[1:]}, DataError, "dya has 359 values"),
-    (lambda a, r: {"a_rad": a, "dr_mm": r, "dya_um": r, "u_dya_um": r - 1}, DataError, "uncertainty of dya is negative"),
+    (
+        lambda a, r: {"a_rad": a, "dr_mm": r, "dya_um": r, "u_dya_um": r - 1},
+        DataError,
+        "uncertainty of dya is negative",
+    ),
     (lambda a, r: [], DataError, "run `tilting` is not given"),
     (lambda a, r: (a[:3], r[:3]), EstimateError, "cannot tell"),
     (lambda a, r: (a[:0], r[:0]), EstimateError, "cannot tell"),
@@ -226,7 +231,7 @@ def test_values_with_their_correlations(setup, runs) -> None:
     import uncertainties
 
     fit = setup.fit(runs)
-    values = dict(zip(fit.names, uncertainties.correlated_values(fit.coefficients, fit.covariance)))
+    values = dict(zip(fit.names, uncertainties.correlated_values(fit.coefficients, fit.covariance), strict=True))
     difference = values["e_xa1"] - values["e_xa2"]
     of = np.array([1.0, -1.0] + [0.0] * (len(fit.names) - 2))
     assert np.isclose(difference.std_dev, np.sqrt(of @ fit.covariance @ of), rtol=1e-9)

@@ -1,8 +1,8 @@
 from __future__ import annotations
 
+import pytest
 import tomllib
 
-import pytest
 import trunnion
 from trunnion import ModelError
 

@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-import trunnion
 from conftest import RUNS, Command, columns
+
+import trunnion
 
 
 def fitted(command: Command, *options: object) -> dict[str, Any]:
@@ -103,7 +104,9 @@ def test_poses(command: Command) -> None:
     points = random.uniform([-200.0, -200.0, -200.0], [200.0, 200.0, -100.0], (200, 3))
     tilt, turn = random.uniform(0.0, 0.2, 200), random.uniform(0.0, 6.0, 200)
     directions = np.column_stack([np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.cos(tilt)])
-    lines = [",".join(map(repr, [*point, *direction])) for point, direction in zip(points.tolist(), directions.tolist())]
+    lines = [
+        ",".join(map(repr, [*point, *direction])) for point, direction in zip(points.tolist(), directions.tolist(), strict=True)
+    ]
     (command.folder / "poses.csv").write_text("\n".join(["x_mm,y_mm,z_mm,i,j,k", *lines]) + "\n")
     (command.folder / "ik.csv").write_text(command("exechon", "ik", "poses.csv"))
     expected = columns(command.folder / "ik.csv")

@@ -7,6 +7,7 @@ import pickle
 
 import numpy as np
 import pytest
+
 import trunnion
 from trunnion import EstimateError, FactorError
 
@@ -38,7 +39,11 @@ def test_the_sum_of_the_parts_is_the_whole(setup, runs, estimator) -> None:
 
 def test_it_pickles_and_is_checked(setup, runs) -> None:
     factor = setup.factor(runs)
-    for again in [pickle.loads(pickle.dumps(factor)), copy.deepcopy(factor), trunnion.Factor.from_bytes(factor.to_bytes())]:
+    for again in [
+        pickle.loads(pickle.dumps(factor)),
+        copy.deepcopy(factor),
+        trunnion.Factor.from_bytes(factor.to_bytes()),
+    ]:
         assert again == factor and again.to_bytes() == factor.to_bytes()
         assert np.array_equal(setup.solve(again).coefficients, setup.solve(factor).coefficients)
     whole = factor.to_bytes()

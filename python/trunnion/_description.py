@@ -9,7 +9,9 @@ from collections.abc import Mapping
 def toml(description: Mapping[str, object]) -> str:
     """The model file with these keys: tables of tables, such as ``axis`` and ``run``, under headings of their own."""
     if not isinstance(description, Mapping):
-        raise TypeError(f"a description of type {type(description).__name__}\n  expected a model file's text, or a dict with its keys")
+        raise TypeError(
+            f"a description of type {type(description).__name__}\n  expected a model file's text, or a dict with its keys"
+        )
     lines = [f"{_key(key)} = {_value(value)}" for key, value in description.items() if not isinstance(value, Mapping)]
     for key, table in description.items():
         if isinstance(table, Mapping):

@@ -9,9 +9,7 @@ class TrunnionError(ValueError):
     ``file`` and ``line`` (from 1) are where it is wrong, ``row`` (from 0) which pose; None where there is no such place.
     """
 
-    def __init__(
-        self, message: str, file: str | None = None, line: int | None = None, row: int | None = None
-    ) -> None:
+    def __init__(self, message: str, file: str | None = None, line: int | None = None, row: int | None = None) -> None:
         super().__init__(message, file, line, row)
         self.file = file
         self.line = line

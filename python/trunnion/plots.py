@@ -16,14 +16,15 @@ _UNITS = {"urad": "µrad", "um": "µm", "deg": "°", "mm": "mm"}
 
 
 def function(report: dict[str, Any], name: str, ax: Axes | None = None) -> Axes:
-    """An estimated function over its coordinate with its band of 95 %; where it is not determined, the sum it is seen in."""
+    """An estimated function over its coordinate with its band of 95 %; where it is not determined, the sum S it is seen in."""
     curve = _named(report["functions"], name)
     ax = ax or plt.subplots(layout="constrained")[1]
     key = f"{curve['coordinate']}_{curve['coordinate_unit']}"
     at, value = ([point[column] for point in curve["points"]] for column in (key, "value"))
     half = [point["sum_u95"] for point in curve["points"]]
-    ax.fill_between(at, [v - u for v, u in zip(value, half)], [v + u for v, u in zip(value, half)], alpha=0.25, lw=0, label="95 %")
-    ax.plot(at, value, label=curve["value_of"])
+    low, high = ([v + sign * u for v, u in zip(value, half, strict=True)] for sign in (-1, 1))
+    ax.fill_between(at, low, high, alpha=0.25, lw=0, label="95 %")
+    ax.plot(at, value, label=name if curve["determined"] else f"S, the sum in which {name} is seen")
     ax.set_xlabel(f"{curve['coordinate']} / {_UNITS[curve['coordinate_unit']]}")
     ax.set_ylabel(f"{name} / {_UNITS[curve['unit']]}")
     ax.legend()
