@@ -26,13 +26,13 @@ TEST = ["machine", "date"]
 def factors(file: Path | str) -> list[tuple[tuple[int, str], trunnion.Factor]]:
     """A factor of each test for the samples of it in this file: some of the runs, or a part of one."""
     tests = pd.read_parquet(file).groupby(TEST, sort=False)
-    return [(test, SETUP.factor(dict(list(samples.groupby("run"))))) for test, samples in tests]
+    return [(test, trunnion.Factor(SETUP, dict(list(samples.groupby("run"))))) for test, samples in tests]
 
 
 def estimates(files: list[Path]) -> dict[tuple[int, str], np.ndarray]:
     """The base parameters of each test, (p,)."""
     sums = dask.bag.from_sequence(files, npartitions=len(files)).map(factors).flatten().foldby(_test, _add, 0, add, 0)
-    return {test: SETUP.solve(factor).coefficients for test, factor in sums.compute()}
+    return {test: factor.solve(SETUP).coefficients for test, factor in sums.compute()}
 
 
 def _test(item: tuple[Any, trunnion.Factor]) -> Any:

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
-use trunnion::study::{ErrorLimits, Estimator, Instrument};
+use trunnion::study::{ErrorLimits, Estimator, Instrument, Variance};
 use trunnion_codegen::model::{Model, StatedInstrument};
 use trunnion_codegen::quantity::Unit;
 
@@ -33,6 +33,12 @@ pub fn word<T: Copy>(name: &str, given: &str, words: &[(&str, T)]) -> PyResult<T
 
 pub fn estimator(given: &str) -> PyResult<Estimator> {
     word("estimator", given, &[("joint", Estimator::Joint), ("two-step", Estimator::TwoStep)])
+}
+
+/// The standard deviation of a reading where it is known, µm.
+pub fn variance(sigma_um: Option<f64>) -> PyResult<Variance> {
+    let sigma = sigma_um.map(|um| within("sigma_um", um, 1e-9..=1e4)).transpose()?;
+    Ok(sigma.map_or(Variance::Residual, |um| Variance::Known(Unit::Um.to_inner(um))))
 }
 
 /// Degrees.

@@ -1,6 +1,8 @@
 //! What samples have come to: it pickles and merges.
 
+use crate::arguments::{estimator, variance};
 use crate::errors::{self, Class};
+use crate::fit::Fit;
 use crate::setup::Setup;
 use crate::table::Given;
 use pyo3::exceptions::PyTypeError;
@@ -11,21 +13,34 @@ use trunnion::study;
 /// What the samples of a set-up's runs have come to.
 #[pyclass(module = "trunnion")]
 pub struct Factor {
-    pub factor: study::Factor,
-}
-
-impl Factor {
-    pub fn new(factor: study::Factor) -> Self {
-        Self { factor }
-    }
+    factor: study::Factor,
 }
 
 #[pymethods]
 impl Factor {
+    /// What the samples of runs have come to: of constant size, however many they are. `runs` as of `Setup.fit`, arrays or frames, and
+    /// not all need be there; `estimator`: "joint" or "two-step".
+    #[new]
+    #[pyo3(signature = (setup, runs=None, /, *, estimator="joint"))]
+    fn new(py: Python<'_>, setup: &Setup, runs: Option<&Bound<'_, PyAny>>, estimator: &str) -> PyResult<Self> {
+        let factor = study::Factor::new(&setup.setup, self::estimator(estimator)?);
+        let mut factor = Self { factor: factor.map_err(|e| errors::estimate(&e))? };
+        runs.map_or(Ok(()), |runs| factor.push(py, setup, runs))?;
+        Ok(factor)
+    }
+
+    /// The estimate of all samples that it has taken: a fit without residuals and report. `sigma_um` as of `Setup.fit`.
+    #[pyo3(signature = (setup, /, *, sigma_um=None))]
+    fn solve(&self, py: Python<'_>, setup: &Setup, sigma_um: Option<f64>) -> PyResult<Fit> {
+        let variance = variance(sigma_um)?;
+        let fit = py.detach(|| self.factor.solve(&setup.setup, variance)).map_err(|e| errors::factor(&e))?;
+        Ok(Fit::new(&setup.setup, fit, None, false))
+    }
+
     /// From what `to_bytes` gives; bytes of anything else, damaged or of another version, are refused.
     #[staticmethod]
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        study::Factor::from_bytes(bytes).map(Self::new).map_err(|e| Class::Factor.error(e))
+        study::Factor::from_bytes(bytes).map(|factor| Self { factor }).map_err(|e| Class::Factor.error(e))
     }
 
     /// As bytes: the same factor gives the same.
@@ -46,7 +61,7 @@ impl Factor {
     }
 
     /// Takes samples of runs of the set-up that it was made of; `runs` as of `Setup.fit`, arrays or frames. All or none.
-    pub fn push(&mut self, py: Python<'_>, setup: &Setup, runs: &Bound<'_, PyAny>) -> PyResult<()> {
+    fn push(&mut self, py: Python<'_>, setup: &Setup, runs: &Bound<'_, PyAny>) -> PyResult<()> {
         let setup = setup.setup.as_ref();
         let Given::Arrays(recorded) = Given::new(setup, runs)? else {
             let told = "runs: files\n  expected arrays or frames: read the files first";
@@ -71,13 +86,13 @@ impl Factor {
     fn __add__(&self, other: &Bound<'_, Self>) -> PyResult<Self> {
         let mut sum = self.factor.clone();
         sum.merge(&other.try_borrow()?.factor).map_err(|e| errors::factor(&e))?;
-        Ok(Self::new(sum))
+        Ok(Self { factor: sum })
     }
 
     /// For `sum`, which begins with 0.
     fn __radd__(&self, zero: u8) -> PyResult<Self> {
         match zero {
-            0 => Ok(Self::new(self.factor.clone())),
+            0 => Ok(Self { factor: self.factor.clone() }),
             _ => Err(PyTypeError::new_err("a factor is added to a factor alone")),
         }
     }

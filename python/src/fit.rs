@@ -2,7 +2,7 @@
 
 use crate::arguments::{instrument, limits};
 use crate::errors::Class;
-use crate::object;
+use crate::object::object;
 use crate::table::{Given, array};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};

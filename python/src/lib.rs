@@ -6,6 +6,7 @@ mod exechon;
 mod factor;
 mod fit;
 mod model;
+mod object;
 mod setup;
 mod simulated;
 mod table;
@@ -27,9 +28,4 @@ mod _trunnion {
     use super::setup::Setup;
     #[pymodule_export]
     use super::simulated::Simulated;
-}
-
-/// A result as a dict: the one of the commands' `--json`.
-fn object<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'py, PyAny>> {
-    py.import("json")?.call_method1("loads", (value.to_string(),))
 }

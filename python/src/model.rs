@@ -2,11 +2,10 @@
 
 use crate::arguments::{instrument, limits, size, within};
 use crate::errors::{self, Class};
-use crate::object;
-use crate::setup::Setup;
+use crate::object::object;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -114,12 +113,6 @@ impl Model {
     /// The equations, base parameters and kernel, exact.
     fn derive(&self, py: Python<'_>) -> Py<Derivation> {
         self.derivation.clone_ref(py)
-    }
-
-    /// With the lengths of the set-up, mm: `model.setup(R=150.0)`; those not given take their usual values.
-    #[pyo3(signature = (**lengths))]
-    fn setup(slf: &Bound<'_, Self>, lengths: Option<HashMap<String, f64>>) -> PyResult<Setup> {
-        Setup::of(slf, lengths.unwrap_or_default().into_iter().collect(), None)
     }
 
     /// Searches the runs for these estimated functions: the fewest placings of the balls, then the fewest runs, among the model's own

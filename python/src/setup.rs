@@ -1,11 +1,10 @@
 //! A model with its lengths, ready to evaluate, simulate and fit.
 
-use crate::arguments::{estimator, limits, range, size, within};
+use crate::arguments::{estimator, limits, range, size, variance, within};
 use crate::errors::{self, Class};
-use crate::factor::Factor;
 use crate::fit::Fit;
 use crate::model::{Derivation, Model};
-use crate::object;
+use crate::object::object;
 use crate::simulated::Simulated;
 use crate::table::{Given, array, complete};
 use numpy::{PyArray2, PyArrayMethods};
@@ -19,7 +18,7 @@ use trunnion::data::RunFiles;
 use trunnion::data::limits::SAMPLES;
 use trunnion::document;
 use trunnion::study::plan::{self, Intended, predict, uniform_std};
-use trunnion::study::{self, Arrays, Drawn, Failed, How, Simulation, Variance, fit_recorded, studies, weigh};
+use trunnion::study::{self, Arrays, Drawn, Failed, How, Simulation, fit_recorded, studies, weigh};
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::quantity::Unit;
@@ -94,27 +93,33 @@ fn unknown(model: &trunnion_codegen::model::Model, name: &str) -> PyErr {
 
 #[pymethods]
 impl Setup {
+    /// A model with its lengths, mm: `Setup(model, R=150.0)`; those not given take the model's usual ones.
+    #[new]
+    #[pyo3(signature = (model, /, **lengths))]
+    fn new(model: &Bound<'_, Model>, lengths: Option<HashMap<String, f64>>) -> PyResult<Self> {
+        Self::of(model, lengths.into_iter().flatten().collect(), None)
+    }
+
     /// A model of the catalogue with its lengths, mm: `Setup.from_catalogue("tilting-table-a", R=150.0)`; those not given take the
     /// model's usual ones.
     #[staticmethod]
     #[pyo3(signature = (name, /, **lengths))]
     fn from_catalogue(py: Python<'_>, name: &str, lengths: Option<HashMap<String, f64>>) -> PyResult<Self> {
-        Self::of(&Bound::new(py, Model::from_catalogue(py, name)?)?, lengths.into_iter().flatten().collect(), None)
+        Self::new(&Bound::new(py, Model::from_catalogue(py, name)?)?, lengths)
     }
 
     /// A model file with its lengths, mm.
     #[staticmethod]
     #[pyo3(signature = (path, /, **lengths))]
     fn from_file(py: Python<'_>, path: PathBuf, lengths: Option<HashMap<String, f64>>) -> PyResult<Self> {
-        Self::of(&Bound::new(py, Model::from_file(py, path)?)?, lengths.into_iter().flatten().collect(), None)
+        Self::new(&Bound::new(py, Model::from_file(py, path)?)?, lengths)
     }
 
     /// A model file's text, or its tables as a dict, with its lengths, mm.
     #[staticmethod]
     #[pyo3(signature = (description, /, **lengths))]
     fn from_description(description: &Bound<'_, PyAny>, lengths: Option<HashMap<String, f64>>) -> PyResult<Self> {
-        let model = Bound::new(description.py(), Model::from_description(description, "description")?)?;
-        Self::of(&model, lengths.into_iter().flatten().collect(), None)
+        Self::new(&Bound::new(description.py(), Model::from_description(description, "description")?)?, lengths)
     }
 
     #[staticmethod]
@@ -224,9 +229,7 @@ impl Setup {
         sigma_um: Option<f64>,
     ) -> PyResult<Fit> {
         let setup = self.setup.as_ref();
-        let sigma = sigma_um.map(|um| within("sigma_um", um, 1e-9..=1e4)).transpose()?;
-        let variance = sigma.map_or(Variance::Residual, |um| Variance::Known(Unit::Um.to_inner(um)));
-        let how = How { estimator: self::estimator(estimator)?, variance, robust };
+        let how = How { estimator: self::estimator(estimator)?, variance: variance(sigma_um)?, robust };
         let weights: Vec<(&str, f64)> = weights.iter().flatten().map(|(run, weight)| (run.as_str(), *weight)).collect();
         let weight = |e| Class::Data.error(e);
         let (fit, observations, without_table) = match Given::new(setup, runs)? {
@@ -259,27 +262,6 @@ impl Setup {
             }
         };
         Ok(Fit::new(&self.setup, fit, Some(observations), without_table))
-    }
-
-    /// What the samples of runs have come to: a sum, of constant size, to be sent, merged and solved elsewhere. `runs` as of `fit`,
-    /// arrays or frames, and not all need be there.
-    #[pyo3(signature = (runs=None, /, *, estimator="joint"))]
-    fn factor(&self, py: Python<'_>, runs: Option<&Bound<'_, PyAny>>, estimator: &str) -> PyResult<Factor> {
-        let factor = study::Factor::new(&self.setup, self::estimator(estimator)?);
-        let mut factor = Factor::new(factor.map_err(|e| errors::estimate(&e))?);
-        if let Some(runs) = runs {
-            factor.push(py, self, runs)?;
-        }
-        Ok(factor)
-    }
-
-    /// The estimate of all samples that a factor has taken: a fit without residuals and report.
-    #[pyo3(signature = (factor, /, *, sigma_um=None))]
-    fn solve(&self, py: Python<'_>, factor: &Factor, sigma_um: Option<f64>) -> PyResult<Fit> {
-        let sigma = sigma_um.map(|um| within("sigma_um", um, 1e-9..=1e4)).transpose()?;
-        let variance = sigma.map_or(Variance::Residual, |um| Variance::Known(Unit::Um.to_inner(um)));
-        let fit = py.detach(|| factor.factor.solve(&self.setup, variance)).map_err(|e| errors::factor(&e))?;
-        Ok(Fit::new(&self.setup, fit, None, false))
     }
 
     /// What such runs would give, before anything is measured: rank, condition, the standard deviation of each base parameter, the

@@ -160,8 +160,8 @@ def test_what_is_no_set_of_runs_is_refused(setup, runs) -> None:
         lambda: setup.fit(runs).report(instrument="other"),
         lambda: setup.model.plan(["other"]),
         lambda: setup.model.plan(["eps_xa"], within=[1.0, 2.0]),
-        lambda: setup.model.setup(Q=1.0),
-        lambda: setup.model.setup(R=NAN),
+        lambda: trunnion.Setup(setup.model, Q=1.0),
+        lambda: trunnion.Setup(setup.model, R=NAN),
         lambda: trunnion.Model.from_catalogue("other"),
     ]:
         with pytest.raises(ValueError):

@@ -21,31 +21,31 @@ def parts(runs, count: int):
 @pytest.mark.parametrize("estimator", ["joint", "two-step"])
 def test_the_sum_of_the_parts_is_the_whole(setup, runs, estimator) -> None:
     expected = setup.fit(runs, estimator=estimator)
-    whole = setup.factor(runs, estimator=estimator)
-    fit = setup.solve(whole)
+    whole = trunnion.Factor(setup, runs, estimator=estimator)
+    fit = whole.solve(setup)
     assert np.array_equal(fit.coefficients, expected.coefficients)
     assert np.array_equal(fit.covariance, expected.covariance)
-    factors = [setup.factor(part, estimator=estimator) for part in parts(runs, 5)]
+    factors = [trunnion.Factor(setup, part, estimator=estimator) for part in parts(runs, 5)]
     for merged in [sum(factors), functools.reduce(operator.add, reversed(factors))]:
         assert merged.samples == whole.samples == 720
-        fit = setup.solve(merged)
+        fit = merged.solve(setup)
         assert np.abs((fit.coefficients - expected.coefficients) / expected.std).max() < 1e-8
         assert fit.degrees_of_freedom == expected.degrees_of_freedom
-    merged = setup.factor(estimator=estimator)
+    merged = trunnion.Factor(setup, estimator=estimator)
     for factor in factors:
         merged.merge(factor)
     assert merged == sum(factors)
 
 
 def test_it_pickles_and_is_checked(setup, runs) -> None:
-    factor = setup.factor(runs)
+    factor = trunnion.Factor(setup, runs)
     for again in [
         pickle.loads(pickle.dumps(factor)),
         copy.deepcopy(factor),
         trunnion.Factor.from_bytes(factor.to_bytes()),
     ]:
         assert again == factor and again.to_bytes() == factor.to_bytes()
-        assert np.array_equal(setup.solve(again).coefficients, setup.solve(factor).coefficients)
+        assert np.array_equal(again.solve(setup).coefficients, factor.solve(setup).coefficients)
     whole = factor.to_bytes()
     for at in range(0, len(whole), 7):
         changed = bytearray(whole)
@@ -61,19 +61,19 @@ def test_it_pickles_and_is_checked(setup, runs) -> None:
 
 
 def test_what_does_not_belong_together_is_refused(setup, runs) -> None:
-    factor, before = setup.factor(runs), setup.factor(runs)
+    factor, before = trunnion.Factor(setup, runs), trunnion.Factor(setup, runs)
     longer = trunnion.Setup.from_catalogue("tilting-table-a", R=100.0)
-    for other in [longer.factor(runs), setup.factor(runs, estimator="two-step")]:
+    for other in [trunnion.Factor(longer, runs), trunnion.Factor(setup, runs, estimator="two-step")]:
         with pytest.raises(FactorError, match="expected factors of one set-up"):
             factor.merge(other)
         with pytest.raises(FactorError):
             factor + other
     with pytest.raises(FactorError):
-        longer.solve(factor)
+        factor.solve(longer)
     with pytest.raises(FactorError):
         factor.push(longer, runs)
     with pytest.raises(EstimateError, match="0 samples"):
-        setup.solve(setup.factor())
+        trunnion.Factor(setup).solve(setup)
     with pytest.raises(ValueError):
         factor.push(setup, {"tilting": runs["tilting"], "separation": ([0.0], [float("nan")])})
     for wrong in [1, None, "x"]:
@@ -85,4 +85,4 @@ def test_what_does_not_belong_together_is_refused(setup, runs) -> None:
         factor.merge(factor)
     assert factor == before
     with pytest.raises(ValueError, match="no report"):
-        setup.solve(factor).report()
+        factor.solve(setup).report()

@@ -25,7 +25,7 @@ def once():
         fit = setup.fit(own)
         fit.coefficients, fit.covariance, fit.residuals(own)
     setup.rows("tilting", runs["tilting"]["a_rad"])
-    factor = trunnion.Factor.from_bytes(setup.factor(runs).to_bytes())
+    factor = trunnion.Factor.from_bytes(trunnion.Factor(setup, runs).to_bytes())
     setup.simulate(samples=36_000).runs
     machine.drm(points)
     for call in [lambda: setup.fit(bad), lambda: machine.ik(points * 1e3), lambda: trunnion.Model.from_description("x")]:
