@@ -122,6 +122,19 @@ fn bytes_that_add_up_but_are_no_factor_are_refused() {
         }
     }
     assert!(matches!(with(first, -1.0), Err(BytesError::Impossible(_))), "a negative square");
+    // Another run than the model has, another order of the columns.
+    for (at, value) in [(44, 200), (44, 1), (45, 0)].into_iter().chain((46..62).map(|at| (at, 3))) {
+        let mut changed = bytes[..bytes.len() - 8].to_vec();
+        changed[at] = value;
+        let check = Sha256::digest(&changed);
+        changed.extend(&check[..8]);
+        let Ok(mut other) = Factor::from_bytes(&changed) else { continue };
+        if other.to_bytes() != bytes {
+            let (solved, pushed) = (other.solve(&setup, Variance::Residual), other.push(&setup, &observations[0]));
+            assert!(matches!(solved, Err(FactorError::Other)), "byte {at}");
+            assert!(matches!(pushed, Err(Failed::Estimate(FactorError::Other))), "byte {at}");
+        }
+    }
 }
 
 #[test]

@@ -33,6 +33,12 @@ impl Problem {
         Ok(Self { estimator, runs, columns, sum })
     }
 
+    /// Whether it is one of all runs of a set-up: what was read from bytes need not be.
+    pub fn is_of_all(&self, setup: &Setup) -> bool {
+        self.runs.iter().copied().eq(setup.model.runs.keys())
+            && self.columns == columns(setup, &self.runs, self.estimator)
+    }
+
     /// Takes the samples of a recording of one of its runs.
     pub fn fill<R: Recording>(&mut self, setup: &Setup, recording: &R) -> Result<(), Failure<R::Error>> {
         let run = recording.run();

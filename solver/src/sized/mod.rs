@@ -21,7 +21,7 @@ use std::vec::Vec;
 pub const LARGEST: usize = 64;
 
 /// Which coefficients are the columns of each step: of one alone, all are the first's.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Columns {
     /// The first step's.
     pub first: Vec<usize>,

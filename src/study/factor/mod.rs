@@ -48,6 +48,10 @@ impl Factor {
         Ok(Self { of: setup.digest(), problem })
     }
 
+    fn is_of(&self, setup: &Setup) -> bool {
+        self.of == setup.digest() && self.problem.is_of_all(setup)
+    }
+
     /// How the runs are combined.
     pub fn estimator(&self) -> Estimator {
         self.problem.estimator
@@ -63,7 +67,7 @@ impl Factor {
     /// # Errors
     /// [`FactorError`], or why the samples cannot be had; some of them may be taken then.
     pub fn push<R: Recording>(&mut self, setup: &Setup, recording: &R) -> Result<(), Failed<R::Error, FactorError>> {
-        if self.of != setup.digest() {
+        if !self.is_of(setup) {
             return Err(Failed::Estimate(FactorError::Other));
         }
         self.problem.fill(setup, recording).map_err(|failure| match failure {
@@ -77,8 +81,9 @@ impl Factor {
     /// # Errors
     /// [`FactorError`]; nothing is taken then.
     pub fn merge(&mut self, other: &Self) -> Result<(), FactorError> {
-        let key = |factor: &Self| (factor.of, factor.problem.estimator, factor.problem.runs.clone());
-        if key(self) != key(other) {
+        let (own, others) = (&self.problem, &other.problem);
+        let alike = own.estimator == others.estimator && own.runs == others.runs && own.columns == others.columns;
+        if self.of != other.of || !alike {
             return Err(FactorError::Other);
         }
         self.problem.sum.absorb(&other.problem.sum.stored()).map_err(FactorError::NotTaken)
@@ -89,7 +94,7 @@ impl Factor {
     /// # Errors
     /// [`FactorError`]
     pub fn solve(&self, setup: &Setup, variance: Variance) -> Result<Fit, FactorError> {
-        if self.of != setup.digest() {
+        if !self.is_of(setup) {
             return Err(FactorError::Other);
         }
         self.problem.solve(setup, variance).map_err(|e| EstimateError::named(setup, e).into())
