@@ -26,7 +26,7 @@ def function(report: dict[str, Any], name: str, ax: Axes | None = None) -> Axes:
     ax.fill_between(at, low, high, alpha=0.25, lw=0, label="95 %")
     ax.plot(at, value, label=name if curve["determined"] else f"S, the sum in which {name} is seen")
     ax.set_xlabel(f"{curve['coordinate']} / {_UNITS[curve['coordinate_unit']]}")
-    ax.set_ylabel(f"{name} / {_UNITS[curve['unit']]}")
+    ax.set_ylabel(f"{name if curve['determined'] else 'S'} / {_UNITS[curve['unit']]}")
     ax.legend()
     return ax
 
