@@ -1,7 +1,7 @@
 //! `trunnion monte-carlo`: how large the error of an estimated function gets.
 
 use super::Refused;
-use super::fit::Combine;
+use super::measured::Combine;
 use super::model::ModelArguments;
 use super::number;
 use super::output::{print, say};

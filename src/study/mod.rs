@@ -4,7 +4,9 @@
 
 mod arrays;
 mod budget;
+mod by_direction;
 mod coordinates;
+mod covered;
 mod curve;
 mod draw;
 mod estimate;
@@ -15,6 +17,7 @@ mod fit;
 mod histogram;
 mod hysteresis;
 mod limits;
+mod measurement;
 mod misfit;
 mod monte_carlo;
 mod neglected;
@@ -57,6 +60,8 @@ pub use arrays::{ArrayError, Arrays, Column, KnownColumn};
 pub use budget::{
     Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, coverage_factor,
 };
+pub use by_direction::{ByDirection, Failing, NotByDirection, by_direction};
+pub use covered::Covered;
 pub use curve::{Curve, CurvePoint};
 pub use draw::{Population, SimulatedMachine};
 pub use estimate::{EstimateError, Failed, fit, fit_recorded, fit_with};
@@ -65,6 +70,7 @@ pub use fit::{Estimator, Fit, How, Observation, Sample, Variance};
 pub use histogram::Histogram;
 pub use hysteresis::Hysteresis;
 pub use limits::ErrorLimits;
+pub use measurement::Measurement;
 pub use misfit::{Look, Misfit, Mistake, Odd};
 pub use monte_carlo::{Draws, Trial, monte_carlo, noise_alone};
 pub use neglected::{Neglected, neglected};

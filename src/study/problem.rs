@@ -116,8 +116,8 @@ fn base(setup: &Setup, runs: &[RunId]) -> Vec<BaseId> {
     setup.derivation.base.keys().filter(|b| runs.iter().any(|run| sees(setup, *run, *b))).collect()
 }
 
-/// Which of the base parameters that runs see are the columns of each step.
-fn columns(setup: &Setup, runs: &[RunId], estimator: Estimator) -> Columns {
+/// Which of the base parameters that runs see are the columns of each step; a run may be there several times.
+pub(super) fn columns(setup: &Setup, runs: &[RunId], estimator: Estimator) -> Columns {
     let mut columns = Columns::default();
     for (at, b) in base(setup, runs).into_iter().enumerate() {
         let seen = |wanted: Step| {
