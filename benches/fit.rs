@@ -5,8 +5,11 @@ use rayon::ThreadPoolBuilder;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::Instant;
-use trunnion::study::{self, Draws, ErrorLimits, Estimator, Setup};
+use trunnion::study::{
+    self, Arrays, Column, Draws, ErrorLimits, Estimator, How, KnownColumn, Sample, Setup, Simulation,
+};
 use trunnion_codegen::catalogue;
+use trunnion_codegen::quantity::Unit;
 use trunnion_solver::tilting::{self, Joint, Lengths, TwoStep};
 
 const SAMPLES: usize = 360;
@@ -50,6 +53,42 @@ fn fit(c: &mut Criterion) {
     group.finish();
 }
 
+/// What a call from another language comes to: its arrays are checked, gone through twice, and nothing of them is copied.
+fn arrays(c: &mut Criterion) {
+    let setup = Setup::from_catalogue("tilting-table-a", &[("R", 150.0)]).expect("a set-up");
+    let limits = ErrorLimits::PAPER;
+    let simulation = Simulation { seed: 1, samples: 36_000, noise_um: 0.1, limits, range_deg: (0.0, 360.0) };
+    let observations = simulation.measure(&setup).observations;
+    let column = |samples: &[Sample], of: &dyn Fn(&Sample) -> f64| samples.iter().map(of).collect::<Vec<f64>>();
+    let known = |samples: &[Sample], at: usize| column(samples, &|sample| sample.known[at]);
+    let columns: Vec<_> = observations
+        .iter()
+        .map(|o| {
+            let known: Vec<_> = (0..o.samples[0].known.len()).map(|at| known(&o.samples, at)).collect();
+            (o.run, column(&o.samples, &|s| s.sweep), column(&o.samples, &|s| s.reading), known)
+        })
+        .collect();
+    let rad = |values| Column { values, unit: Unit::Rad };
+    let mm = |values| Column { values, unit: Unit::Mm };
+    let mut group = c.benchmark_group("study");
+    group.sample_size(20).throughput(Throughput::Elements(2 * simulation.samples as u64));
+    group.bench_function("arrays of 36,000 samples a run", |b| {
+        b.iter(|| {
+            let arrays: Vec<Arrays> = columns
+                .iter()
+                .map(|(run, sweep, reading, known)| {
+                    let named = ["dya", "dza"].into_iter().zip(known);
+                    let known = named.map(|(name, values)| KnownColumn { name, values: mm(values), std: None });
+                    let known: Vec<_> = known.collect();
+                    Arrays::new(&setup, *run, rad(sweep), mm(reading), &known).expect("a run")
+                })
+                .collect();
+            study::fit_recorded(&setup, &arrays, How::default()).expect("a fit")
+        });
+    });
+    group.finish();
+}
+
 /// Trials on one core; the set-up before the first one is shared by many thousands.
 fn monte_carlo(c: &mut Criterion) {
     let model = catalogue::model("tilting-table-a").expect("in the catalogue").expect("a model");
@@ -81,5 +120,5 @@ fn monte_carlo(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, fit, monte_carlo);
+criterion_group!(benches, fit, arrays, monte_carlo);
 criterion_main!(benches);

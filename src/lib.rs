@@ -36,6 +36,7 @@
 //! | write compensation tables for controls | [`export`] |
 //! | say what has changed between reports | [`history`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
+//! | hand results to a program as JSON | [`document`] |
 //! | make a page of a fit that one hands over | [`report`] |
 //! | measure on a parallel machine of Exechon type | [`exechon`] |
 //!
@@ -43,6 +44,7 @@
 
 pub mod circular;
 pub mod data;
+pub mod document;
 pub mod exechon;
 pub mod export;
 pub mod history;

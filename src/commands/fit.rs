@@ -1,12 +1,13 @@
 //! `trunnion fit`: errors and their uncertainty from measurement files.
 
+use super::Refused;
 use super::measured::MeasuredArguments;
 use super::output::{print, say};
 use super::reported::ReportArguments;
-use super::{Refused, document};
 use clap::{ArgGroup, Args};
 use std::path::PathBuf;
 use trunnion::data::curve_files;
+use trunnion::document;
 use trunnion::report as page;
 use trunnion::study::StudyError;
 

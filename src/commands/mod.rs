@@ -15,7 +15,6 @@ pub mod pivots;
 pub mod plan;
 pub mod simulate;
 
-mod document;
 mod exported;
 mod measured;
 mod model;

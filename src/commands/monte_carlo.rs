@@ -1,16 +1,17 @@
 //! `trunnion monte-carlo`: how large the error of an estimated function gets.
 
+use super::Refused;
 use super::measured::Combine;
 use super::model::ModelArguments;
 use super::number;
 use super::output::{print, say};
 use super::simulated::SimulationArguments;
 use super::stated::{INSTRUMENT, InstrumentArguments};
-use super::{Refused, document};
 use clap::{ArgGroup, Args};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::fmt::Write;
+use trunnion::document;
 use trunnion::study::{
     Drawn, Draws, EstimateError, Estimator, MachineErrors, Setup, Study, design_warning, studies, supplement,
 };

@@ -29,11 +29,7 @@ impl LimitArguments {
     pub fn of(&self, model: &Model) -> ErrorLimits {
         let length = self.length_um.map(|um| Unit::Um.to_inner(um));
         let angle = self.angle_urad.map(|urad| Unit::Urad.to_inner(urad));
-        let stated = &model.limits;
-        ErrorLimits {
-            length: length.or(stated.length).unwrap_or(ErrorLimits::PAPER.length),
-            angle: angle.or(stated.angle).unwrap_or(ErrorLimits::PAPER.angle),
-        }
+        ErrorLimits::stated(model, length, angle)
     }
 }
 

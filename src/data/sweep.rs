@@ -12,13 +12,8 @@ use super::lines::{Line, Lines};
 use super::output::{WriteError, WriteProblem, write_atomically};
 use super::radius::Radius;
 use super::written::written;
+use crate::study::{BEYOND_STROKE_MM, MOST_TURNS};
 use trunnion_codegen::quantity::{Quantity, Unit};
-
-/// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
-const BEYOND_STROKE_MM: f64 = 2.0;
-
-/// An angle beyond this many turns is none of a run.
-const MOST_TURNS: f64 = 10.0;
 
 /// The readings' column without its unit.
 pub(super) const READING: &str = "dr";

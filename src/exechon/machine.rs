@@ -55,6 +55,17 @@ pub enum MachineFileError {
     },
 }
 
+impl MachineFileError {
+    /// The line that is wrong, where it is one.
+    pub fn line(&self) -> Option<u64> {
+        match self {
+            Self::Number { line, .. } | Self::Machine { line, .. } => Some(*line as u64),
+            Self::Format { line, .. } => line.map(|line| line as u64),
+            Self::Unreadable { .. } | Self::Text(_) => None,
+        }
+    }
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {

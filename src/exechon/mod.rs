@@ -26,7 +26,7 @@ pub use pictures::{PictureError, drm_map, machine_picture, quintic_picture, ring
 pub use plan::{Feature, PlanError, PlannedTouch, plan};
 pub use ring::{ExpandedCircle, RingError, RingReport, ring_report, ring_report_of};
 pub use simulate::{Probe, SimulatedTouch, simulate};
-pub use solved::{Coordinates, SolvedPose, forward, inverse};
+pub use solved::{Coordinates, Path, SolvedPose, forward, inverse};
 
 use trunnion_solver::exechon::{KinematicsError, Machine, Pose, RotationError, Target, TargetError, Tilted};
 

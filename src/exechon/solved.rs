@@ -1,9 +1,8 @@
-//! Poses and joints of a file, solved one line at a time.
+//! Poses and joints, solved one at a time: of a program, or of a file.
 
 use super::PointError;
 use super::input::{InputError, JOINTS, POSES, Rows};
-use std::path::Path;
-use trunnion_solver::exechon::{Joints, KinematicsError, Machine, Pose, Start, Target, Tilted};
+use trunnion_solver::exechon::{Frame, Joints, KinematicsError, Machine, Pose, Start, Target, Tilted};
 
 /// Coordinates of points and directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +13,7 @@ pub enum Coordinates {
     Machine,
 }
 
-/// A line of a file, solved.
+/// A tool point and direction with the pose that has them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolvedPose {
     /// The tool point in the coordinates asked for, mm.
@@ -27,52 +26,87 @@ pub struct SolvedPose {
     pub rotation: f64,
 }
 
+/// A machine that goes from pose to pose.
+#[derive(Clone, Debug)]
+pub struct Path<'a> {
+    machine: &'a Machine<f64>,
+    frame: Frame<f64>,
+    coordinates: Coordinates,
+    tilted: Tilted,
+    start: Start<f64>,
+}
+
+impl<'a> Path<'a> {
+    /// At home.
+    pub fn new(machine: &'a Machine<f64>, coordinates: Coordinates, tilted: Tilted) -> Self {
+        Self { machine, frame: machine.frame(), coordinates, tilted, start: machine.home().start() }
+    }
+
+    /// Coordinates of its points and directions.
+    pub fn coordinates(&self) -> Coordinates {
+        self.coordinates
+    }
+
+    /// The pose of a tool point (mm) and direction: from the pose before, else from home. Of one that is refused nothing stays.
+    ///
+    /// # Errors
+    /// [`PointError`]
+    pub fn inverse(&mut self, point: [f64; 3], direction: [f64; 3]) -> Result<SolvedPose, PointError> {
+        let target = match self.coordinates {
+            Coordinates::Base => Target::new(point, direction)?,
+            Coordinates::Machine => {
+                Target::new(self.frame.point_to_base(point), self.frame.direction_to_base(direction))?
+            }
+        };
+        let (machine, home) = (self.machine, self.machine.home().start());
+        let near = machine.inverse(&target, &self.start).or_else(|_| machine.inverse(&target, &home));
+        // Near A = 0 a pose may have all its solutions on the other branch.
+        let pose = near.or_else(|problem| match problem {
+            KinematicsError::NoConvergence { .. } => {
+                machine.inverse(&target, &Start { branch: home.branch.other(), ..home }).map_err(|_| problem)
+            }
+            _ => Err(problem),
+        })?;
+        let rotation = machine.dependent_rotation(&pose, self.tilted)?;
+        self.start = pose.start();
+        Ok(SolvedPose { point, direction, pose, rotation })
+    }
+
+    /// The pose of struts (mm) and axes (rad), from home.
+    ///
+    /// # Errors
+    /// [`PointError`]
+    pub fn forward(&self, joints: &Joints<f64>) -> Result<SolvedPose, PointError> {
+        let pose = self.machine.forward(joints, &self.machine.home().start())?;
+        let rotation = self.machine.dependent_rotation(&pose, self.tilted)?;
+        let (point, direction) = match self.coordinates {
+            Coordinates::Base => (pose.point, *pose.direction()),
+            Coordinates::Machine => {
+                (self.frame.point_from_base(pose.point), self.frame.direction_from_base(*pose.direction()))
+            }
+        };
+        Ok(SolvedPose { point, direction, pose, rotation })
+    }
+}
+
 /// Inverse kinematics of a file of poses (`x_mm,y_mm,z_mm,i,j,k`), each from the one before, else from home.
 ///
 /// # Errors
 /// [`InputError`] for the file, and then for each line that has no pose.
 pub fn inverse(
     machine: &Machine<f64>,
-    file: &Path,
+    file: &std::path::Path,
     coordinates: Coordinates,
     tilted: Tilted,
 ) -> Result<impl Iterator<Item = Result<SolvedPose, InputError>>, InputError> {
-    let to_base = machine.frame();
     let mut rows = Rows::open(file, POSES)?;
-    let mut start = machine.home().start();
+    let mut path = Path::new(machine, coordinates, tilted);
     Ok(std::iter::from_fn(move || {
         let row = rows.next()?;
         Some(row.map_err(InputError::from).and_then(|(line, [x, y, z, i, j, k])| {
-            let (point, direction) = ([x, y, z], [i, j, k]);
-            let target = match coordinates {
-                Coordinates::Base => (point, direction),
-                Coordinates::Machine => (to_base.point_to_base(point), to_base.direction_to_base(direction)),
-            };
-            let solved = near(machine, target, &start, tilted);
-            let (pose, rotation) = solved.map_err(|problem| rows.refuse(line, problem))?;
-            start = pose.start();
-            Ok(SolvedPose { point, direction, pose, rotation })
+            path.inverse([x, y, z], [i, j, k]).map_err(|problem| rows.refuse(line, problem))
         }))
     }))
-}
-
-fn near(
-    machine: &Machine<f64>,
-    (point, direction): ([f64; 3], [f64; 3]),
-    start: &Start<f64>,
-    tilted: Tilted,
-) -> Result<(Pose<f64>, f64), PointError> {
-    let target = Target::new(point, direction)?;
-    let home = machine.home().start();
-    let near = machine.inverse(&target, start).or_else(|_| machine.inverse(&target, &home));
-    // Near A = 0 a pose may have all its solutions on the other branch.
-    let pose = near.or_else(|problem| match problem {
-        KinematicsError::NoConvergence { .. } => {
-            machine.inverse(&target, &Start { branch: home.branch.other(), ..home }).map_err(|_| problem)
-        }
-        _ => Err(problem),
-    })?;
-    Ok((pose, machine.dependent_rotation(&pose, tilted)?))
 }
 
 /// Forward kinematics of a file of joints (`l1_mm,l2_mm,l3_mm,a_deg,c_deg`), each from home.
@@ -81,27 +115,16 @@ fn near(
 /// As [`inverse`].
 pub fn forward(
     machine: &Machine<f64>,
-    file: &Path,
+    file: &std::path::Path,
     coordinates: Coordinates,
     tilted: Tilted,
 ) -> Result<impl Iterator<Item = Result<SolvedPose, InputError>>, InputError> {
-    let (frame, start) = (machine.frame(), machine.home().start());
     let mut rows = Rows::open(file, JOINTS)?;
+    let path = Path::new(machine, coordinates, tilted);
     Ok(std::iter::from_fn(move || {
         let row = rows.next()?;
         Some(row.map_err(InputError::from).and_then(|(line, [l1, l2, l3, a, c])| {
-            let solved = machine
-                .forward(&Joints { struts: [l1, l2, l3], a, c }, &start)
-                .map_err(PointError::from)
-                .and_then(|pose| Ok((pose, machine.dependent_rotation(&pose, tilted)?)));
-            let (pose, rotation) = solved.map_err(|problem| rows.refuse(line, problem))?;
-            let (point, direction) = match coordinates {
-                Coordinates::Base => (pose.point, *pose.direction()),
-                Coordinates::Machine => {
-                    (frame.point_from_base(pose.point), frame.direction_from_base(*pose.direction()))
-                }
-            };
-            Ok(SolvedPose { point, direction, pose, rotation })
+            path.forward(&Joints { struts: [l1, l2, l3], a, c }).map_err(|problem| rows.refuse(line, problem))
         }))
     }))
 }

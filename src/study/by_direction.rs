@@ -11,10 +11,10 @@
 
 use super::fill::places;
 use super::fit::{Fit, Sample};
+use super::problem::columns;
 use super::recording::Recording;
 use super::rows::{Rows, Taken, blocks};
 use super::setup::Setup;
-use super::solved::columns;
 use super::warning::WARN_CONDITION;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -135,7 +135,7 @@ pub fn by_direction<R: Recording>(
     let own = setup.basis(function, 0.0).len() + 1;
     let known = fit.base.len();
     let runs: Vec<RunId> = recordings.iter().map(Recording::run).collect();
-    let (_, mut of) = columns(setup, &runs, &fit.steps);
+    let mut of = columns(setup, &runs, fit.estimator);
     // The runs that see the function are those of the last step.
     let added = if of.own.is_empty() { &mut of.first } else { &mut of.own };
     added.extend(known..known + own);

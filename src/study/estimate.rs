@@ -140,9 +140,9 @@ pub fn fit_recorded<R: Recording>(
 
 /// Why recordings give no estimate.
 #[derive(Debug)]
-pub enum Failed<E> {
+pub enum Failed<E, Why = EstimateError> {
     /// They do not determine one.
-    Estimate(EstimateError),
+    Estimate(Why),
     /// They cannot be read.
     Recording(E),
 }

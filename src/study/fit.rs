@@ -16,6 +16,7 @@ use super::setup::Setup;
 use super::trace::{Trace, Tracing};
 use super::weighed_down::WeighedDown;
 use super::weights::Weights;
+use core::convert::Infallible;
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 use trunnion_codegen::algebra::AlgebraError;
@@ -176,9 +177,9 @@ impl Fit {
     }
 
     /// Readings less what the estimate makes of them, mm, in the order of the samples.
-    pub fn residuals(&self, setup: &Setup, observation: &Observation) -> Vec<f64> {
-        let mut residuals = Vec::with_capacity(observation.samples.len());
-        let Ok(()) = self.residuals_of(setup, observation, |_| {}, |_, residual| residuals.push(residual));
+    pub fn residuals<R: Recording<Error = Infallible>>(&self, setup: &Setup, recording: &R) -> Vec<f64> {
+        let mut residuals = Vec::new();
+        let Ok(()) = self.residuals_of(setup, recording, |_| {}, |_, residual| residuals.push(residual));
         residuals
     }
 

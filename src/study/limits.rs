@@ -22,6 +22,14 @@ impl ErrorLimits {
         Self { length: length_um * Unit::Um.factor(), angle: angle_urad * Unit::Urad.factor() }
     }
 
+    /// Those of a model that are not given (mm, rad), else the paper's.
+    pub fn stated(model: &Model, length: Option<f64>, angle: Option<f64>) -> Self {
+        Self {
+            length: length.or(model.limits.length).unwrap_or(Self::PAPER.length),
+            angle: angle.or(model.limits.angle).unwrap_or(Self::PAPER.angle),
+        }
+    }
+
     /// The limit of an error of a model: its own, or that of its kind.
     pub fn of_error(&self, model: &Model, error: ErrorId) -> f64 {
         model.limits.of(error).unwrap_or_else(|| self.of(model.alphabet.error_quantity(error)))

@@ -2,6 +2,7 @@
 //!
 //! Nothing here reads or writes a file or a terminal.
 
+mod arrays;
 mod budget;
 mod by_direction;
 mod coordinates;
@@ -10,6 +11,7 @@ mod curve;
 mod draw;
 mod estimate;
 mod estimated;
+mod factor;
 mod fill;
 mod fit;
 mod histogram;
@@ -24,6 +26,7 @@ mod observation;
 mod operator;
 mod path;
 pub mod plan;
+mod problem;
 mod reach;
 mod recording;
 mod recovery;
@@ -53,6 +56,7 @@ mod weigh;
 mod weighed_down;
 mod weights;
 
+pub use arrays::{ArrayError, Arrays, Column, KnownColumn};
 pub use budget::{
     Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, coverage_factor,
 };
@@ -61,6 +65,7 @@ pub use covered::Covered;
 pub use curve::{Curve, CurvePoint};
 pub use draw::{Population, SimulatedMachine};
 pub use estimate::{EstimateError, Failed, fit, fit_recorded, fit_with};
+pub use factor::{BytesError, Factor, FactorError};
 pub use fit::{Estimator, Fit, How, Observation, Sample, Variance};
 pub use histogram::Histogram;
 pub use hysteresis::Hysteresis;
@@ -69,11 +74,13 @@ pub use measurement::Measurement;
 pub use misfit::{Look, Misfit, Mistake, Odd};
 pub use monte_carlo::{Draws, Trial, monte_carlo, noise_alone};
 pub use neglected::{Neglected, neglected};
+pub(crate) use observation::{BEYOND_STROKE_MM, MOST_TURNS};
 pub use path::Path;
 pub use reach::OutOfRange;
 pub use recording::Recording;
 pub use recovery::{RecoveredFunction, Recovery, recovery};
 pub use report::{EstimatedCoefficient, Report, coefficient_unit, report, report_on};
+pub use rows::RowsError;
 pub use seen::Seen;
 pub use separation::Separation;
 pub use setup::{Setup, SetupError, bars, coordinate};

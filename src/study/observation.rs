@@ -4,6 +4,12 @@ use super::setup::Setup;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::directions;
 
+/// A reading whose size is beyond this is none a ball-bar gives: twice its stroke, mm.
+pub(crate) const BEYOND_STROKE_MM: f64 = 2.0;
+
+/// An angle beyond this many turns is none of a run.
+pub(crate) const MOST_TURNS: f64 = 10.0;
+
 /// One sample of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {

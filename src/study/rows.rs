@@ -3,8 +3,10 @@
 use super::observation::Sample;
 use super::recording::Recording;
 use super::setup::Setup;
+use thiserror::Error;
 use trunnion_codegen::graph::{BlockEvaluator, LANES, Lanes};
 use trunnion_codegen::ids::RunId;
+use trunnion_codegen::kinematics::directions;
 use trunnion_solver::sized::{Work, vectorised};
 
 /// What is told of a sample with its residual.
@@ -107,6 +109,49 @@ impl<'a> Rows<'a> {
 
     fn evaluate(&mut self) {
         vectorised(Evaluate(&mut self.evaluator));
+    }
+}
+
+/// Why rows cannot be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error(
+    "room for {found} numbers where {expected} are written\n  expected one for each sample and each base parameter of the run"
+)]
+pub struct RowsError {
+    /// How many there is room for.
+    pub found: usize,
+    /// How many there are.
+    pub expected: usize,
+}
+
+impl Setup {
+    /// A run's rows at values of its sweep (rad), in the order in which they are visited: the regressors of the base parameters that
+    /// the run sees, in the order of its derivation, each a column of `out`, column after column.
+    ///
+    /// # Errors
+    /// [`RowsError`] where `out` is of another size than samples times regressors.
+    pub fn rows(&self, run: RunId, sweeps: &[f64], out: &mut [f64]) -> Result<(), RowsError> {
+        let count = sweeps.len();
+        let expected = count * self.derivation.runs[run].regressors.len();
+        if out.len() != expected {
+            return Err(RowsError { found: out.len(), expected });
+        }
+        let (mut rows, known) = (Rows::new(self, run), vec![0.0; self.derivation.runs[run].known.len()]);
+        let mut sample = Sample { sweep: 0.0, direction: 0.0, reading: 0.0, known, known_std: Vec::new() };
+        let samples: Vec<(f64, f64)> = sweeps.iter().copied().zip(directions(sweeps)).collect();
+        for (block, samples) in samples.chunks(LANES).enumerate() {
+            rows.samples = 0;
+            for &(sweep, direction) in samples {
+                (sample.sweep, sample.direction) = (sweep, direction);
+                rows.take(&sample);
+            }
+            rows.evaluate();
+            for (column, values) in out.chunks_mut(count).zip(rows.regressors()) {
+                let own = &mut column[block * LANES..][..samples.len()];
+                own.copy_from_slice(&values[..samples.len()]);
+            }
+        }
+        Ok(())
     }
 }
 

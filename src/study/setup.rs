@@ -2,7 +2,9 @@
 
 use super::limits::ErrorLimits;
 use core::fmt;
+use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 use trunnion_codegen::algebra::{ErrorId, Fraction, Nominal, NominalId, Poly, at, nominal_value};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit;
@@ -27,6 +29,7 @@ pub struct Setup {
     runs: TiVec<RunId, Tape>,
     /// What each run's row takes behind the sweep.
     motion: TiVec<RunId, Vec<NominalId>>,
+    digest: OnceLock<[u8; 32]>,
 }
 
 /// Why a model cannot be put to work.
@@ -121,7 +124,7 @@ impl Setup {
         let tape = |run| Ok(Tape::new(emit::model::run(&model, &derivation, run)?.program()));
         let runs = model.runs.keys().map(tape).collect::<Result<TiVec<_, _>, Unbound>>()?;
         let motion = model.runs.keys().map(|run| motion(&model, run)).collect();
-        Ok(Self { model, derivation, constants, runs, motion })
+        Ok(Self { model, derivation, constants, runs, motion, digest: OnceLock::new() })
     }
 
     /// A model of the catalogue with values for its constants, mm.
@@ -144,6 +147,16 @@ impl Setup {
     /// Value of a constant, mm.
     pub fn constant(&self, name: &str) -> f64 {
         self.model.alphabet.constants().zip(&self.constants).find(|(n, _)| *n == name).map_or(f64::NAN, |(_, v)| *v)
+    }
+
+    /// What decides what the numbers of a fit mean, every equation and the lengths in it: SHA-256.
+    pub fn digest(&self) -> [u8; 32] {
+        *self.digest.get_or_init(|| {
+            let mut sha = Sha256::new();
+            sha.update(emit::equations::json(&self.model, &self.derivation).to_string());
+            self.constants.iter().for_each(|mm| sha.update(mm.to_le_bytes()));
+            sha.finalize().into()
+        })
     }
 
     /// The run with a name.
@@ -246,7 +259,7 @@ impl Setup {
     /// The same with another value for one of its constants, mm.
     pub(super) fn with_constant(&self, constant: NominalId, mm: f64) -> Self {
         let name = self.model.alphabet.nominal_name(constant);
-        let mut changed = self.clone();
+        let mut changed = Self { digest: OnceLock::new(), ..self.clone() };
         let names: Vec<String> = self.model.alphabet.constants().map(str::to_owned).collect();
         let own = changed.constants.iter_mut().zip(names).filter(|(_, n)| *n == name);
         own.for_each(|(value, _)| *value = mm);

@@ -45,6 +45,18 @@ impl Described {
         Ok((model, derivation))
     }
 
+    /// Where a problem is: the name of its text, and the line and the column in it, counted from 1.
+    pub fn place(&self, problem: &Problem) -> (&str, usize, usize) {
+        let start = problem.span.start;
+        let (Named { name, text }, at) = match (&self.stated, start.checked_sub(self.model.text.len() + 1)) {
+            (Some(stated), Some(at)) => (stated, at),
+            _ => (&self.model, start),
+        };
+        let before = text.get(..at).unwrap_or(text);
+        let line = before.rsplit('\n').next().unwrap_or_default();
+        (name, before.matches('\n').count() + 1, line.chars().count() + 1)
+    }
+
     /// The problems, those of each text under its name.
     pub fn render(&self, problems: &[Problem], colour: Colour) -> String {
         let Named { name, text } = &self.model;
@@ -96,5 +108,8 @@ mod tests {
         let told = described.render(&described.derive().unwrap_err(), Colour::Off);
         assert!(told.contains("project:1:7") && told.contains("project:5:1"), "{told}");
         assert!(!told.contains("model:"), "{told}");
+        let problems = described.derive().unwrap_err();
+        let places: Vec<_> = problems.iter().map(|problem| described.place(problem)).collect();
+        assert_eq!(places, [("project", 1, 7), ("project", 5, 1)]);
     }
 }

@@ -90,6 +90,19 @@ impl<T: Real, const P: usize> Blocked<T, P> {
         Ok(())
     }
 
+    /// Takes all samples of another factor; of no rows yet, it is that factor to the bit.
+    ///
+    /// # Errors
+    /// As [`Factor::merge`]; nothing is taken then.
+    pub fn merge(&mut self, other: &Factor<T, P>) -> Result<(), Rejected> {
+        self.merge_group();
+        if self.factor.samples == 0 {
+            self.factor = *other;
+            return Ok(());
+        }
+        self.factor.merge(other)
+    }
+
     /// The factor of all rows so far.
     pub fn factor(&self) -> Factor<T, P> {
         let mut all = self.clone();

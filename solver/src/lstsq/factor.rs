@@ -19,7 +19,7 @@ pub struct Factor<T, const P: usize> {
     pub(super) dr: [[T; P]; P],
     pub(super) q: [T; P],
     /// What rounding has left out of q.
-    q_low: [T; P],
+    pub(super) q_low: [T; P],
     pub(super) rss: T,
     pub(super) samples: u32,
 }

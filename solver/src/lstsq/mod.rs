@@ -52,6 +52,8 @@ mod real;
 mod residual;
 mod solution;
 mod solve;
+#[cfg(feature = "sized")]
+mod stored;
 mod student;
 mod subset;
 mod triangle;

@@ -3,22 +3,25 @@
 //! A factor is of fixed size, as in a controller; here one is chosen by its size, so that a model read at run time is fitted by
 //! the same code. It stands in this crate so that its sizes are compiled once, not with every change of a program.
 
+mod stored;
 mod vectors;
 
 pub use crate::lstsq::{Column, ROWS};
+pub use stored::{NotTaken, Stored};
 use vectors::Vectors;
 pub use vectors::{Work, vectorised};
 
 use crate::lstsq::{Blocked, Condition, Order, Rejected, Solution, SolveError, Step, TwoStepError};
 use nalgebra::{DMatrix, DVector, SMatrix};
 use std::boxed::Box;
+use std::vec;
 use std::vec::Vec;
 
 /// The largest number of coefficients.
 pub const LARGEST: usize = 64;
 
 /// Which coefficients are the columns of each step: of one alone, all are the first's.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Columns {
     /// The first step's.
     pub first: Vec<usize>,
@@ -86,13 +89,23 @@ impl Unsolved {
 }
 
 /// An estimator of some size.
-pub trait Estimate: Send {
+pub trait Estimate: Send + Sync {
     /// Takes the first `rows` rows of a block of a step, each with `weight`; the columns are in the order of [`Columns::of`], and
     /// used up.
     ///
     /// # Errors
     /// [`Rejected`]; none of the rows is taken then.
     fn push(&mut self, step: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected>;
+    /// What the samples so far have come to, step by step.
+    fn stored(&self) -> Vec<Stored>;
+    /// Takes all samples of another estimator of the same columns, as [stored](Self::stored); one without samples becomes the other
+    /// to the bit.
+    ///
+    /// # Errors
+    /// [`NotTaken`]; nothing is taken then.
+    fn absorb(&mut self, stored: &[Stored]) -> Result<(), NotTaken>;
+    /// A copy.
+    fn copy(&self) -> Box<dyn Estimate>;
     /// The estimate; `sigma` is the standard deviation of a reading of weight one, if it is known.
     ///
     /// # Errors
@@ -155,6 +168,7 @@ fn enough(step: Step, samples: u32, columns: usize) -> Result<(), Unsolved> {
 }
 
 /// All runs in one problem of `n` unknowns.
+#[derive(Clone)]
 struct OneStep<const P: usize> {
     n: usize,
     factor: Blocked<f64, P>,
@@ -163,6 +177,19 @@ struct OneStep<const P: usize> {
 impl<const P: usize> Estimate for OneStep<P> {
     fn push(&mut self, _: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected> {
         Push { factor: &mut self.factor, block, rows, weight }.done()
+    }
+
+    fn copy(&self) -> Box<dyn Estimate> {
+        Box::new(self.clone())
+    }
+
+    fn stored(&self) -> Vec<Stored> {
+        vec![Stored::of(&self.factor, self.n)]
+    }
+
+    fn absorb(&mut self, stored: &[Stored]) -> Result<(), NotTaken> {
+        let [stored] = stored else { return Err(NotTaken::OtherSize) };
+        stored.add_to(&mut self.factor, self.n)
     }
 
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
@@ -177,16 +204,46 @@ impl<const P: usize> Estimate for OneStep<P> {
 }
 
 /// Two problems, the second with what the first gives.
+#[derive(Clone)]
 struct TwoSteps<const P: usize> {
     order: Order<P, P, P>,
+    /// Of the second step, its own and those that it is given.
+    columns: usize,
     first: Blocked<f64, P>,
     second: Blocked<f64, P>,
+}
+
+impl<const P: usize> TwoSteps<P> {
+    /// The columns of each step.
+    fn widths(&self) -> [usize; 2] {
+        [self.order.first().len(), self.columns]
+    }
 }
 
 impl<const P: usize> Estimate for TwoSteps<P> {
     fn push(&mut self, step: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected> {
         let factor = if step == Step::First { &mut self.first } else { &mut self.second };
         Push { factor, block, rows, weight }.done()
+    }
+
+    fn copy(&self) -> Box<dyn Estimate> {
+        Box::new(self.clone())
+    }
+
+    fn stored(&self) -> Vec<Stored> {
+        let [first, second] = self.widths();
+        vec![Stored::of(&self.first, first), Stored::of(&self.second, second)]
+    }
+
+    fn absorb(&mut self, stored: &[Stored]) -> Result<(), NotTaken> {
+        let [first, second] = stored else { return Err(NotTaken::OtherSize) };
+        let [in_first, in_second] = self.widths();
+        // Both or none.
+        let mut whole = self.second.clone();
+        second.add_to(&mut whole, in_second)?;
+        first.add_to(&mut self.first, in_first)?;
+        self.second = whole;
+        Ok(())
     }
 
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
@@ -211,7 +268,8 @@ fn of<const P: usize>(n: usize, columns: &Columns) -> Option<Box<dyn Estimate>> 
         return Some(Box::new(OneStep::<P> { n, factor: Blocked::new() }));
     }
     let order = Order::<P, P, P>::within(n, &columns.first, &columns.own, &columns.given).ok()?;
-    Some(Box::new(TwoSteps::<P> { order, first: Blocked::new(), second: Blocked::new() }))
+    let second = columns.own.len() + columns.given.len();
+    Some(Box::new(TwoSteps::<P> { order, columns: second, first: Blocked::new(), second: Blocked::new() }))
 }
 
 /// An estimator without samples for these columns, each coefficient one; `None` for none or more than [`LARGEST`].

@@ -5,11 +5,11 @@ use crate::commands::model::lengths;
 use crate::commands::output::print;
 use crate::commands::predicted::{Measuring, function};
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::time::Duration;
 use trunnion::data::Radius;
+use trunnion::document;
 use trunnion::study::plan::design::{
     Asked, Budgeted, Design, DesignError, Measured, Proposal, Reachable, design, estimated,
 };
@@ -71,7 +71,7 @@ impl Wanted<'_> {
         bar.finish_and_clear();
         let found = found?;
         Ok(print(&if self.json {
-            format!("{:#}\n", object(model, &found, &units))
+            format!("{:#}\n", document::design(model, &found))
         } else {
             self.text(model, &found, &units)
         })?)
@@ -151,36 +151,4 @@ fn summary(proposal: &Proposal) -> String {
         }
     }
     out
-}
-
-fn object(model: &Model, found: &Design, units: &[Unit]) -> Value {
-    let reachable = found.functions.iter().zip(units).map(|(r, unit)| {
-        json!({ "name": r.name, "unit": unit.suffix(), "within": unit.from_inner(r.within), "best": unit.from_inner(r.best) })
-    });
-    let proposal = |p: &Proposal| {
-        let functions = p.prediction.functions.iter().map(|f| {
-            let unit = p.setup.quantity(f.function).deviation();
-            let largest = f.largest.map(|l| json!({ "std": unit.from_inner(l.std), "u95": unit.from_inner(l.u95) }));
-            let budget = p.budgets.iter().find(|own| own.function == f.function);
-            let [measured, whole] =
-                [budget.map(|b| b.measured), budget.map(|b| b.whole)].map(|u| u.map(|u| unit.from_inner(u)));
-            json!({
-                "name": p.setup.function_name(f.function), "unit": unit.suffix(), "told": f.told.words,
-                "largest": largest, "u95": measured, "u95_with_assumptions": whole,
-            })
-        });
-        json!({
-            "placings": p.placings,
-            "condition": p.prediction.condition,
-            "functions": functions.collect::<Vec<_>>(),
-            "runs": p.draft.runs.iter().map(|run| run.name.value.as_str()).collect::<Vec<_>>(),
-            "model_file": p.draft.runs.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"),
-        })
-    };
-    json!({
-        "model": model.name,
-        "choices": found.choices.iter().map(|run| run.name.value.as_str()).collect::<Vec<_>>(),
-        "functions": reachable.collect::<Vec<_>>(),
-        "proposals": found.proposals.iter().map(proposal).collect::<Vec<_>>(),
-    })
 }

@@ -1,10 +1,10 @@
 //! The plan for a program.
 
 use super::found::Found;
-use crate::commands::document;
 use serde_json::{Value, json};
-use trunnion::study::plan::{Compared, Predicted};
-use trunnion_codegen::ids::{BaseId, ParameterId};
+use trunnion::document;
+use trunnion::study::plan::Compared;
+use trunnion_codegen::ids::ParameterId;
 
 /// The same as one object for a program.
 pub fn json(found: &Found) -> Value {
@@ -63,24 +63,11 @@ fn object(line: &Compared) -> Value {
     match &line.outcome {
         Err(why) => value["refused"] = json!(why.to_string()),
         Ok((setup, prediction)) => {
-            let name = |b: &BaseId| setup.derivation.base[*b].name.clone();
-            let function = |f: &Predicted| {
-                let unit = setup.quantity(f.function).deviation();
-                let object = json!({
-                    "name": setup.function_name(f.function),
-                    "unit": unit.suffix(),
-                    "largest_std": f.largest.map(|l| unit.from_inner(l.std)),
-                    "largest_u95": f.largest.map(|l| unit.from_inner(l.u95)),
-                });
-                document::with_told(object, &f.told)
-            };
-            value["rank"] = json!(setup.derivation.rank());
-            value["condition"] = json!(prediction.condition);
-            value["weakest"] = json!(prediction.weakest.iter().map(name).collect::<Vec<_>>());
-            let std: serde_json::Map<String, Value> =
-                prediction.base.iter().map(|(b, std)| (name(b), json!(std))).collect();
-            value["std"] = Value::Object(std);
-            value["functions"] = json!(prediction.functions.iter().map(function).collect::<Vec<_>>());
+            let own = document::prediction(setup, prediction);
+            value
+                .as_object_mut()
+                .into_iter()
+                .for_each(|value| value.extend(own.as_object().cloned().unwrap_or_default()));
         }
     }
     value

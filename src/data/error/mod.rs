@@ -239,6 +239,18 @@ impl Need {
     }
 }
 
+impl FileError {
+    /// The first line that is wrong, where it is lines that are.
+    pub fn line(&self) -> Option<u64> {
+        match &self.problem {
+            FileProblem::Lines(bad) => bad.first().first().map(|bad| bad.line),
+            FileProblem::OutsideTable { samples, .. } => samples.first().map(|(line, _)| *line),
+            FileProblem::Header { line, .. } => Some(*line),
+            problem => problem.line(),
+        }
+    }
+}
+
 impl FileProblem {
     /// The line of a problem that has one place.
     fn line(&self) -> Option<u64> {

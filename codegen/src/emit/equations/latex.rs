@@ -9,13 +9,19 @@ use crate::model::Model;
 use crate::source::visible;
 use core::fmt::Write;
 
-/// Readings, model equations, functions and base parameters as LaTeX.
+/// Readings, model equations, functions and base parameters as LaTeX, under a heading of comments.
 pub fn latex(model: &Model, derivation: &Derivation) -> String {
-    let d = Document::new(model, derivation, Style::Latex);
     let mut out = format!("% {}: {}\n% lengths in mm, angles in rad\n", model.name, visible(&model.title));
     for assumption in &model.assumptions {
         let _ = writeln!(out, "% assumed: {}", visible(&assumption.text));
     }
+    out + &latex_equations(model, derivation)
+}
+
+/// The equations alone.
+pub fn latex_equations(model: &Model, derivation: &Derivation) -> String {
+    let d = Document::new(model, derivation, Style::Latex);
+    let mut out = String::new();
     let mut align = |lines: Vec<String>| {
         let _ = writeln!(out, "\\begin{{align}}\n{}\n\\end{{align}}", lines.join(" \\\\\n"));
     };

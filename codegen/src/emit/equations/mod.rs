@@ -12,7 +12,7 @@ mod text;
 pub use document::{definition, group};
 pub use extent::{Remaining, extent, remaining, seen_sum};
 pub use json::json;
-pub use latex::latex;
+pub use latex::{latex, latex_equations};
 pub use mathml::{Equation, Section, mathml};
 pub use printer::{Printer, Style};
 pub use text::{symbols, text};

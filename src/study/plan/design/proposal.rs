@@ -10,6 +10,7 @@ use thiserror::Error;
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::ids::FunctionId;
 use trunnion_codegen::model::{Draft, DraftRun, Model};
+use trunnion_codegen::quantity::Unit;
 
 /// A function's uncertainty may be this much larger than the least that can be reached, where nothing is asked.
 pub(super) const NEAR: f64 = 1.1;
@@ -69,6 +70,8 @@ pub struct Design {
 pub struct Reachable {
     /// Its name.
     pub name: String,
+    /// The unit of its values in reports: µrad or µm.
+    pub unit: Unit,
     /// What was asked, if anything was.
     pub asked: Option<f64>,
     /// What was looked for: what was asked, or what is near the best.
@@ -151,6 +154,7 @@ pub fn design(
     };
     let reachable = |(i, (name, asked)): (usize, &(String, Option<f64>))| Reachable {
         name: name.clone(),
+        unit: model.alphabet.error_quantity(model.functions[functions[i]].error).deviation(),
         asked: *asked,
         within: within.get(&functions[i]).copied().unwrap_or(f64::INFINITY) * COVERAGE_FACTOR,
         best: least(i),

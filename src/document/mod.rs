@@ -1,11 +1,17 @@
-//! A report and its parts as one JSON object, for a program.
+//! Results as one JSON object each, for a program: what the commands print and other languages get.
 
-use serde_json::{Map, Value, json};
-use trunnion::data::{MachineAtHand, Unit};
-use trunnion::study::{
+mod design;
+mod prediction;
+
+pub use design::design;
+pub use prediction::prediction;
+
+use crate::data::{MachineAtHand, Unit};
+use crate::study::{
     Budget, COVERAGE, Contribution, Curve, CurvePoint, Detail, Histogram, Input, Instrument, Line, MachineErrors,
     Report, Setup, Spread, Study, Told, Trace, TracePoint, coordinate,
 };
+use serde_json::{Map, Value, json};
 use trunnion_codegen::emit::equations::{self, Remaining};
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::model::{Axis, AxisKind};
