@@ -3,7 +3,7 @@
 use super::budgets::{Budgeted, budgets};
 use super::choices::{Choices, with_runs};
 use super::pool::{Measured, Pool};
-use super::search::{Enough, Next, Within, fewest};
+use super::search::{Enough, Next, Within, fewest, grade};
 use crate::study::plan::{Intended, Prediction, predict, uniform_std};
 use crate::study::{EstimateError, Estimator, Setup, SetupError};
 use thiserror::Error;
@@ -139,7 +139,7 @@ pub fn design(
         }
         if held.within.len() > ALTERNATIVES || tried >= TRIED { Next::Enough } else { Next::More }
     });
-    hardly.sort_by(|a, b| a.prediction.condition.total_cmp(&b.prediction.condition));
+    hardly.sort_by_key(|proposal| grade(proposal.prediction.condition));
     let missing = (ALTERNATIVES + 1).saturating_sub(held.within.len());
     hardly.into_iter().take(missing).for_each(|proposal| held.take(proposal));
     let proposals = held.best();
@@ -186,7 +186,7 @@ impl Held<'_> {
     /// Those within; where there is none, the nearest to it.
     fn best(mut self) -> Vec<Proposal> {
         if self.within.is_empty() {
-            self.over.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+            self.over.sort_by_key(|(beyond, _)| grade(*beyond));
             self.within.extend(self.over.into_iter().take(ALTERNATIVES + 1).map(|(_, proposal)| proposal));
         }
         self.within

@@ -42,7 +42,7 @@ pub fn fewest(pool: &Pool, within: &Within, done: &(dyn Fn(usize) + Sync), each:
             let mut sets: Vec<Enough> = pools.par_iter().flat_map_iter(sets).collect();
             // With fewer placings they were found before.
             sets.retain(|set| set.placings == count);
-            sets.sort_by(|a, b| a.share.total_cmp(&b.share).then_with(|| a.runs.cmp(&b.runs)));
+            sets.sort_by(|a, b| grade(a.share).cmp(&grade(b.share)).then_with(|| a.runs.cmp(&b.runs)));
             for set in sets.into_iter().take(TRIED) {
                 if each(set) == Next::Enough {
                     return;
@@ -50,6 +50,12 @@ pub fn fewest(pool: &Pool, within: &Within, done: &(dyn Fn(usize) + Sync), each:
             }
         }
     }
+}
+
+/// What sizes are compared by: what differs by no more than a hundred thousandth of itself differs by rounding, which is another on
+/// every processor.
+pub fn grade(size: f64) -> i64 {
+    (size.max(f64::MIN_POSITIVE).ln() * 1e5).round() as i64
 }
 
 /// Sets of one size that are looked at more closely.
