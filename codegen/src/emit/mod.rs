@@ -8,6 +8,7 @@ pub mod c;
 pub mod c99;
 pub mod equations;
 mod function;
+pub mod hal;
 mod header;
 mod infix;
 mod layout;
