@@ -167,8 +167,10 @@ fn a_component_fits_as_the_solver_does() {
 
 #[test]
 fn what_hal_has_no_memory_for_is_refused() {
-    let large =
-        description("large", &PLAIN).replace("fourier = 1", "fourier = 8").replace("\"known\"", "{ fourier = 8 }");
+    let plain = description("large", &PLAIN).replace("fourier = 1", "fourier = 8").replace("\"x\" }", "\"xyz\" }");
+    let more =
+        |text: String, axis| text.replace(&format!("EY{axis} = \"zero\""), &format!("EY{axis} = {{ fourier = 8 }}"));
+    let large = PLAIN[3].into_iter().fold(plain.replace("\"known\"", "{ fourier = 8 }"), more);
     let (model, derivation) = read_and_derive(&large).unwrap();
     let refused = component(&model, &derivation).unwrap_err();
     let ComponentError::TooManyUnknowns { unknowns, most } = refused else { panic!("{refused}") };
