@@ -33,6 +33,7 @@
 //! | evaluate a circular test as ISO 230-4 does | [`circular`] |
 //! | begin a measurement: project file and measuring plan | [`project`] |
 //! | write the NC program of a run | [`program`] |
+//! | write compensation tables for controls | [`export`] |
 //! | say what has changed between reports | [`history`] |
 //! | draw readings, estimates, rings as SVG | [`plot`] |
 //! | make a page of a fit that one hands over | [`report`] |
@@ -43,6 +44,7 @@
 pub mod circular;
 pub mod data;
 pub mod exechon;
+pub mod export;
 pub mod history;
 pub mod import;
 pub mod plot;

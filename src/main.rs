@@ -41,6 +41,8 @@ enum Command {
     Import(commands::import::ImportArguments),
     /// Errors and their uncertainty from measurement files.
     Fit(commands::fit::FitArguments),
+    /// A compensation table for a control from an estimated function.
+    Export(commands::export::ExportArguments),
     /// The circular test of ISO 230-4: its figures, what is read from the trace, and the polar plot.
     Circular(commands::circular::CircularArguments),
     /// What has changed between reports, beyond their uncertainty.
@@ -78,6 +80,7 @@ fn main() -> ExitCode {
         Command::Simulate(c) => c.run(),
         Command::Import(c) => c.run(),
         Command::Fit(c) => c.run(),
+        Command::Export(c) => c.run(),
         Command::Circular(c) => c.run(),
         Command::Compare(c) => c.run(),
         Command::Plan(c) => c.run(),

@@ -5,6 +5,7 @@ pub mod compare;
 pub mod demo;
 pub mod derive;
 pub mod exechon;
+pub mod export;
 pub mod fit;
 pub mod import;
 pub mod models;
@@ -14,6 +15,8 @@ pub mod plan;
 pub mod simulate;
 
 mod document;
+mod exported;
+mod measured;
 mod model;
 mod number;
 pub mod output;
@@ -25,6 +28,7 @@ mod seen;
 pub mod shell;
 mod simulated;
 mod stated;
+mod tabled;
 
 pub use refused::Refused;
 pub use seen::seen;

@@ -1,6 +1,6 @@
 //! `trunnion monte-carlo`: how large the error of an estimated function gets.
 
-use super::fit::Combine;
+use super::measured::Combine;
 use super::model::ModelArguments;
 use super::number;
 use super::output::{print, say};

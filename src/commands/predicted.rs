@@ -1,7 +1,7 @@
 //! Predicted uncertainty in words, for `derive` and `plan`.
 
 use super::Refused;
-use super::fit::Combine;
+use super::measured::Combine;
 use super::number;
 use clap::Args;
 use std::fmt::Write;

@@ -10,6 +10,7 @@ use trunnion::circular::{CircularError, TraceError};
 use trunnion::data::{
     FileError, FileProblem, NativeError, ObservationsError, ProjectError, RadiusError, TextError, WriteError,
 };
+use trunnion::export::{GridError, NoAxis, NoPlace};
 use trunnion::history::HistoryError;
 use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
@@ -108,6 +109,34 @@ pub enum Refused {
     Design(#[from] DesignError),
     #[error("--samples {0}: too many\n  expected at most {1} for each of {2} runs")]
     Samples(u32, usize, usize),
+    #[error("--function {0}: no function that this model estimates\n  expected one of {1}")]
+    NotEstimated(String, String),
+    #[error(
+        "{name} is {words}: there is no value of it to export\n  expected runs that determine it (`trunnion plan` looks for them), \
+         or what is known beforehand as [assume] in the model file{example}"
+    )]
+    NotDetermined { name: String, words: String, example: String },
+    #[error("no --function\n  expected one of {0}")]
+    Which(String),
+    #[error("{0}: none of them is determined\n  expected runs that determine one (`trunnion plan` looks for them)")]
+    NothingDetermined(String),
+    #[error("{0}: its axis rests in all runs\n  expected a run in which it moves")]
+    NeverMoves(String),
+    #[error("--format {0}: {1} is {2}")]
+    NoPlace(&'static str, String, NoPlace),
+    #[error(
+        "--both-directions: {0}\n  expected every run in which the axis moves measured there and back, ball and bar untouched, and a \
+         format with a place for both"
+    )]
+    NotBoth(String),
+    #[error("--{0} has no effect on {1}: {2}\n  expected it left out")]
+    Idle(&'static str, &'static str, &'static str),
+    #[error("{0}")]
+    Grid(#[from] GridError),
+    #[error(transparent)]
+    NoAxis(#[from] NoAxis),
+    #[error("--{option} {given}: measured was {measured}\n  expected to stay within it: nothing is known beyond")]
+    NotMeasured { option: &'static str, given: String, measured: String },
     #[error("--{0} {1}: {2}")]
     Option(&'static str, String, &'static str),
 }

@@ -46,6 +46,7 @@ pub(crate) use lines::{Line, Lines};
 pub use native::{NativeError, native_files};
 pub use output::{
     Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture, write_report,
+    write_table,
 };
 pub use project::{MachineAtHand, PROJECT, Project, ProjectError, ProjectRun};
 pub use radius::{Radius, RadiusError};

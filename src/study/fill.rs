@@ -37,10 +37,10 @@ pub(super) fn fill<R: Recording>(
     if refused { Err(FitError::NotFinite.into()) } else { Ok(()) }
 }
 
-/// The column of each of a run's regressors.
+/// The column of each of a run's regressors; columns beyond `base` are none of theirs.
 pub(super) fn places(setup: &Setup, run: RunId, base: &[BaseId], columns: &[usize]) -> Vec<Option<usize>> {
     let regressors = setup.derivation.runs[run].regressors.iter();
-    regressors.map(|(b, _)| columns.iter().position(|&c| base[c] == *b)).collect()
+    regressors.map(|(b, _)| columns.iter().position(|&c| base.get(c) == Some(b))).collect()
 }
 
 /// Rows on their way into a factor.

@@ -3,7 +3,9 @@
 //! Nothing here reads or writes a file or a terminal.
 
 mod budget;
+mod by_direction;
 mod coordinates;
+mod covered;
 mod curve;
 mod draw;
 mod estimate;
@@ -53,6 +55,8 @@ mod weights;
 pub use budget::{
     Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, coverage_factor,
 };
+pub use by_direction::{ByDirection, Failing, NotByDirection, by_direction};
+pub use covered::Covered;
 pub use curve::{Curve, CurvePoint};
 pub use draw::{Population, SimulatedMachine};
 pub use estimate::{EstimateError, Failed, fit, fit_recorded, fit_with};

@@ -91,7 +91,7 @@ fn steps(setup: &Setup, runs: &[RunId], estimator: Estimator) -> Result<Vec<Step
 }
 
 /// The base parameters that the observations see, and which of them are the columns of each step.
-fn columns(setup: &Setup, runs: &[RunId], steps: &[Step]) -> (Vec<BaseId>, Columns) {
+pub(super) fn columns(setup: &Setup, runs: &[RunId], steps: &[Step]) -> (Vec<BaseId>, Columns) {
     let seen = |step: Step, b: BaseId| {
         let mut of = runs.iter().zip(steps).filter(|(_, s)| **s == step);
         of.any(|(run, _)| setup.derivation.runs[*run].regressors.iter().any(|(c, _)| *c == b))

@@ -60,6 +60,15 @@ pub fn write_report(file: &Path, html: &str, guard: &Guard) -> Result<(), WriteE
     write_picture(file, html, guard)
 }
 
+/// Writes a compensation table as [`write_picture`] a picture. Where its format has comments it says of itself that it is one; else
+/// it is replaced with [`Guard::force`] alone.
+///
+/// # Errors
+/// The same.
+pub fn write_table(file: &Path, text: &str, guard: &Guard) -> Result<(), WriteError> {
+    write_picture(file, text, guard)
+}
+
 /// Writes a file so that it is there whole or not at all, in place of any other; else as [`write_picture`].
 ///
 /// # Errors

@@ -1,0 +1,205 @@
+//! What is said of exported tables, as text and as one JSON object.
+
+use super::seen;
+use super::tabled::{LeftOut, Tabled};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use trunnion::export::{Constant, Facts, Format, Subject, Table, Verified, Warning, left, warnings};
+use trunnion::study::{COVERAGE, Fit, Report, Setup, coverage_factor};
+
+/// A file that was written, and what is told of it.
+pub struct Exported<'a> {
+    /// The file.
+    pub file: String,
+    /// Its format.
+    pub format: Format,
+    /// What the control makes of that.
+    pub facts: Facts,
+    /// Its tables.
+    pub tables: Vec<OneExported<'a>>,
+    /// Location errors, mm or rad.
+    pub constants: Vec<Constant>,
+    /// Functions that are not determined.
+    pub left_out: Vec<LeftOut>,
+    /// What was assumed of the machine.
+    pub assumptions: Vec<String>,
+}
+
+/// One table of it.
+pub struct OneExported<'a> {
+    table: &'a Table,
+    /// The errors that the control takes off, mm or rad.
+    kept: [Vec<f64>; 2],
+    /// The largest expanded uncertainty of the function, µm or µrad.
+    u95: f64,
+    /// The hysteresis where it is largest: coordinate, forward less reverse, and the expanded uncertainty of that from noise, µm or
+    /// µrad; or why the directions are not told apart.
+    hysteresis: Result<[f64; 3], &'a str>,
+    /// What was taken off all errors, µm or µrad.
+    offset: f64,
+    /// What the grid leaves, µm or µrad.
+    left: f64,
+    /// What to be wary of.
+    pub warnings: Vec<Warning>,
+}
+
+impl<'a> OneExported<'a> {
+    /// A table of which the control keeps `kept`, where the axis powers up at `home`, degrees or mm.
+    pub fn new(
+        setup: &Setup,
+        fit: &Fit,
+        report: &Report,
+        own: &'a Tabled,
+        kept: [Vec<f64>; 2],
+        facts: &Facts,
+        home: f64,
+    ) -> Self {
+        let Tabled { function, table, directions, offset } = own;
+        let (along, unit) = (table.subject.along, table.subject.quantity.deviation());
+        let points =
+            report.functions.iter().filter(|curve| curve.function == *function).flat_map(|curve| &curve.points);
+        let hysteresis = directions.as_ref().map_err(String::as_str).map(|by| {
+            let factor = coverage_factor(Some(by.degrees_of_freedom));
+            let at = |at: f64| {
+                let [difference, std] = by.hysteresis(setup, fit, along.to_inner(at));
+                [at, unit.from_inner(difference), unit.from_inner(factor * std)]
+            };
+            let largest = table.grid.points().map(at).max_by(|a, b| a[1].abs().total_cmp(&b[1].abs()));
+            largest.unwrap_or_default()
+        });
+        let range =
+            setup.axis(*function).and_then(|axis| axis.range).map(|range| range.map(|end| along.from_inner(end)));
+        Self {
+            table,
+            u95: points.map(|point| point.u95).fold(0.0, f64::max),
+            hysteresis,
+            offset: unit.from_inner(*offset),
+            left: unit.from_inner(left(table, &kept, facts.between, |at| own.error(setup, fit, at))),
+            warnings: warnings(table, facts, &kept, home, range),
+            kept,
+        }
+    }
+
+    fn lines(&self) -> Vec<(&'static str, String)> {
+        let grid = &self.table.grid;
+        let Subject { name, iso, axis, quantity, along, .. } = &self.table.subject;
+        let (unit, along) = (quantity.deviation().symbol(), along.symbol());
+        let directions = match &self.hysteresis {
+            Ok([at, by, u95]) => format!(
+                "both; forward less reverse is at most {by:+.3} ± {u95:.3} {unit}, at {at} {along} (95 %, of noise; nothing else is \
+                 taken to turn with the direction)"
+            ),
+            Err(why) => format!("the same for both: {why}"),
+        };
+        let grid_error =
+            format!("at most {:.4} {unit} from the function to what the control makes of its table", self.left);
+        let mut lines = vec![
+            ("function", format!("{name} ({iso}) of axis {axis}, at most ± {:.3} {unit} (95 %)", self.u95)),
+            ("rows", format!("{} from {} to {} {along} by {}", grid.rows(), grid.from(), grid.to(), grid.step())),
+            ("directions", directions),
+            ("grid error", grid_error),
+        ];
+        if self.offset != 0.0 {
+            lines.push((
+                "zero",
+                format!("{:+.3} {unit} are taken off all: the error where the axis powers up", self.offset),
+            ));
+        }
+        lines
+    }
+
+    fn object(&self) -> Value {
+        let grid = &self.table.grid;
+        let Subject { name, iso, axis, quantity, along, .. } = &self.table.subject;
+        let hysteresis = self.hysteresis.as_ref().ok();
+        json!({
+            "function": name,
+            "iso": iso,
+            "axis": axis,
+            "unit": quantity.deviation().suffix(),
+            "coordinate_unit": along.suffix(),
+            "rows": grid.rows(),
+            "from": grid.from(),
+            "to": grid.to(),
+            "step": grid.step(),
+            "both_directions": self.table.both,
+            "one_direction_because": self.hysteresis.as_ref().err(),
+            "hysteresis": hysteresis.map(|[at, by, u95]| json!({ "at": at, "value": by, "u95_noise": u95 })),
+            "taken_off": self.offset,
+            "u95": self.u95,
+            "grid_error": self.left,
+            "warnings": self.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
+            "points": self.points(),
+        })
+    }
+
+    /// Errors at each row: the function's, and what the control has of them.
+    fn points(&self) -> Vec<Value> {
+        let unit = self.table.subject.quantity.deviation();
+        let one = |(row, at): (usize, f64)| {
+            let of = |errors: &[Vec<f64>; 2]| errors.each_ref().map(|own| own.get(row).map(|e| unit.from_inner(*e)));
+            let ([forward, reverse], kept) = (of(&self.table.errors), of(&self.kept));
+            json!({ "at": at, "forward": forward, "reverse": reverse, "kept_forward": kept[0], "kept_reverse": kept[1] })
+        };
+        self.table.grid.points().enumerate().map(one).collect()
+    }
+}
+
+impl Exported<'_> {
+    /// A line for each.
+    pub fn text(&self) -> String {
+        let facts = &self.facts;
+        let mut out = format!("{}: {}\n", self.file, facts.what);
+        let mut line = |what: &str, words: &str| {
+            let _ = writeln!(out, "  {what}: {words}");
+        };
+        for (what, words) in self.tables.iter().flat_map(OneExported::lines) {
+            line(what, &words);
+        }
+        for (name, value) in &self.constants {
+            line(name, &format!("{value:.9} mm or rad"));
+        }
+        for (name, words) in &self.left_out {
+            line("left out", &format!("{name}, which is {words}"));
+        }
+        line("values", &format!("{}; {}", facts.unit, facts.sign));
+        line("between rows", facts.between.words());
+        line("beyond the ends", facts.ends.words());
+        line("over a turn", facts.turn);
+        line("resolution", facts.resolution);
+        if !facts.needs.is_empty() {
+            line("needs", facts.needs);
+        }
+        self.assumptions.iter().for_each(|assumption| line("assumed", assumption));
+        line("verified", facts.verified.words());
+        line("source", facts.source);
+        seen(&out)
+    }
+
+    /// All of it, and every row.
+    pub fn object(&self) -> Value {
+        let facts = &self.facts;
+        let constants = self.constants.iter().map(|(name, value)| json!({ "name": name, "value": value }));
+        let left_out = self.left_out.iter().map(|(name, extent)| json!({ "function": name, "extent": extent }));
+        json!({
+            "file": self.file,
+            "format": self.format.name(),
+            "what": facts.what,
+            "file_unit": facts.unit,
+            "sign": facts.sign,
+            "between_rows": facts.between.words(),
+            "ends": facts.ends.words(),
+            "turn": facts.turn,
+            "most_rows": facts.rows,
+            "resolution": facts.resolution,
+            "needs": facts.needs,
+            "verified": facts.verified == Verified::Tried,
+            "source": facts.source,
+            "coverage": COVERAGE,
+            "assumptions": self.assumptions,
+            "tables": self.tables.iter().map(OneExported::object).collect::<Vec<_>>(),
+            "constants": constants.collect::<Vec<_>>(),
+            "left_out": left_out.collect::<Vec<_>>(),
+        })
+    }
+}

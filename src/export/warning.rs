@@ -1,0 +1,110 @@
+//! What fails on a control, or surprises there.
+
+use super::facts::Facts;
+use super::table::Table;
+use std::fmt;
+use trunnion_codegen::quantity::Unit;
+
+/// A turn, degrees.
+const TURN: f64 = 360.0;
+/// Values that are none, mm or rad: less than any control moves by.
+const NONE: f64 = 1e-10;
+
+/// What to be wary of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// More rows than the control takes: rows, and how many it takes.
+    Rows(usize, usize),
+    /// The axis moves when the table becomes active: where it powers up, the values there in µm or µrad, their unit.
+    NotZero(f64, [f64; 2], &'static str),
+    /// The axis can be commanded beyond the table.
+    Ends {
+        /// The table's first and last coordinate.
+        table: [f64; 2],
+        /// The axis' range in the model, where it has one.
+        axis: Option<[f64; 2]>,
+        /// What the control does there.
+        does: &'static str,
+        /// Degrees or mm.
+        unit: Unit,
+    },
+    /// More than a turn in a table.
+    MoreThanATurn,
+    /// A whole turn, whose ends differ by so much, in µm or µrad.
+    Jump(f64, &'static str),
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Rows(rows, most) => {
+                write!(f, "{rows} rows, where the control takes {most} and drops the others: choose a larger step")
+            }
+            Self::NotZero(at, [more, less], unit) => write!(
+                f,
+                "the axis moves when the table becomes active: at {at}, where it powers up, the error is {more:.3} {unit} forward \
+                 and {less:.3} {unit} in reverse, not 0"
+            ),
+            Self::Ends { table: [from, to], axis, does, unit } => {
+                write!(f, "beyond {from} to {to} {} the control takes {does}", unit.symbol())?;
+                match axis {
+                    Some([low, high]) => {
+                        write!(f, ": the axis goes from {low} to {high} {} in the model", unit.symbol())
+                    }
+                    None => f.write_str(": command the axis within it, or choose a larger range"),
+                }
+            }
+            Self::MoreThanATurn => f.write_str(
+                "the table goes over more than a turn: a control that counts modulo 360° reads a turn of it",
+            ),
+            Self::Jump(by, unit) => write!(f, "over a turn the table jumps by {by:.3} {unit} where it begins again"),
+        }
+    }
+}
+
+/// Everything to be wary of; `home` is where the axis powers up, `range` where it goes in the model, degrees or mm.
+pub fn warnings(
+    table: &Table,
+    facts: &Facts,
+    kept: &[Vec<f64>; 2],
+    home: f64,
+    range: Option<[f64; 2]>,
+) -> Vec<Warning> {
+    let grid = &table.grid;
+    let (from, to) = (grid.from(), grid.to());
+    let deviation = table.subject.quantity.deviation();
+    let shown = |inner: f64| deviation.from_inner(inner);
+    let mut warnings = Vec::new();
+    if let Some(most) = facts.rows.filter(|most| grid.rows() > *most) {
+        warnings.push(Warning::Rows(grid.rows(), most));
+    }
+    let last = grid.rows() - 1;
+    let place = ((home - from) / grid.step()).clamp(0.0, last as f64);
+    let there = kept.each_ref().map(|kept| {
+        let (row, share) = (place.floor() as usize, place.fract());
+        let value = |row: usize| kept.get(row.min(last)).copied().unwrap_or(0.0);
+        value(row) + share * (value(row + 1) - value(row))
+    });
+    if there.iter().any(|value| value.abs() > NONE) {
+        warnings.push(Warning::NotZero(home, there.map(shown), deviation.symbol()));
+    }
+    let turns = table.subject.along == Unit::Deg;
+    let slack = 1e-6 * grid.step();
+    let beyond = range.is_none_or(|[low, high]| low < from - slack || high > to + slack);
+    if turns && to - from > TURN + slack {
+        warnings.push(Warning::MoreThanATurn);
+    }
+    if beyond && (range.is_some() || turns) {
+        warnings.push(Warning::Ends {
+            table: [from, to],
+            axis: range,
+            does: facts.ends.words(),
+            unit: table.subject.along,
+        });
+    }
+    let jump = kept.iter().map(|kept| (kept[last] - kept[0]).abs()).fold(0.0, f64::max);
+    if turns && (to - from - TURN).abs() <= slack && jump > NONE {
+        warnings.push(Warning::Jump(shown(jump), deviation.symbol()));
+    }
+    warnings
+}

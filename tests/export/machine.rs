@@ -1,0 +1,147 @@
+//! A simulated machine with a control that compensates: measured again, fitted again.
+
+use chacha20::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+use std::cell::Cell;
+use trunnion::export::{Subject, TakenOff};
+use trunnion::study::{
+    ErrorLimits, Estimator, Fit, Instrument, Observation, Population, Setup, SimulatedMachine, fit, report,
+};
+use trunnion_codegen::algebra::ErrorId;
+use trunnion_codegen::ids::{FunctionId, RunId};
+use trunnion_codegen::kinematics::ErrorValues;
+use trunnion_codegen::measurement::ExactReading;
+use trunnion_codegen::model::AxisKind;
+
+/// Half width of the noise, mm.
+const NOISE: f64 = 1e-4;
+
+/// What a control adds to a commanded coordinate, degrees or mm, as the axis moves forward or back.
+pub type Trim = Box<dyn Fn(f64, bool) -> f64>;
+
+/// A machine in one direction of its axis.
+pub struct Driven<'a> {
+    pub machine: &'a SimulatedMachine,
+    /// The axis' motion errors.
+    pub errors: [ErrorId; 6],
+    /// The one that is its own position, and whether it is counted against the axis' motion.
+    pub own: ErrorId,
+    pub sense: f64,
+    /// What the axis is off in this direction, mm or rad.
+    pub offset: f64,
+    /// From a commanded coordinate to what is added to it, mm or rad.
+    pub trim: &'a dyn Fn(f64) -> f64,
+}
+
+impl ErrorValues for Driven<'_> {
+    /// The axis is sent to x + trim, and is off by the error that it has there.
+    fn value(&self, error: ErrorId, x: f64) -> f64 {
+        if !self.errors.contains(&error) {
+            return self.machine.value(error, x);
+        }
+        let trim = (self.trim)(x);
+        let there = self.machine.value(error, x + trim);
+        if error == self.own { there + self.offset + self.sense * trim } else { there }
+    }
+}
+
+/// A set-up with runs that are measured there and back.
+pub struct Bench {
+    pub setup: Setup,
+    pub function: FunctionId,
+    pub machine: SimulatedMachine,
+    /// Forward less reverse, mm or rad.
+    pub hysteresis: f64,
+    sweeps: Vec<(RunId, Vec<f64>)>,
+    seed: u64,
+    /// How often it was measured.
+    times: Cell<u64>,
+}
+
+/// What was found.
+pub struct Found {
+    pub observations: Vec<Observation>,
+    pub fit: Fit,
+    /// The largest expanded uncertainty, mm or rad.
+    pub u95: f64,
+}
+
+impl Bench {
+    /// A model over a range in degrees; the function by its place among the estimated ones.
+    pub fn new(setup: Setup, function: usize, range_deg: (f64, f64), seed: u64) -> Self {
+        let range = (range_deg.0.to_radians(), range_deg.1.to_radians());
+        let sweeps: Vec<(RunId, Vec<f64>)> =
+            setup.model.runs.keys().map(|run| (run, setup.swept(run, 361, range))).collect();
+        let exact: Vec<ExactReading> = sweeps.iter().map(|(run, sweeps)| setup.exact(*run, sweeps)).collect();
+        let machine = Population::new(&setup, &exact, ErrorLimits::PAPER).draw(&mut ChaCha8Rng::seed_from_u64(seed));
+        let function = setup.estimated().nth(function).unwrap();
+        Self { setup, function, machine, hysteresis: 0.0, sweeps, seed, times: Cell::new(0) }
+    }
+
+    pub fn error(&self) -> ErrorId {
+        self.setup.model.functions[self.function].error
+    }
+
+    /// −1 where the axis' positive motion is against the error's direction.
+    pub fn sense(&self) -> f64 {
+        match Subject::new(&self.setup, self.function, None).unwrap().taken_off {
+            TakenOff::Own(sense) => sense,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// One of its coordinates in degrees or mm, in rad or mm.
+    pub fn inner(&self, at: f64) -> f64 {
+        if self.setup.axis(self.function).unwrap().kind == AxisKind::Rotary { at.to_radians() } else { at }
+    }
+
+    fn outer(&self, x: f64) -> f64 {
+        if self.setup.axis(self.function).unwrap().kind == AxisKind::Rotary { x.to_degrees() } else { x }
+    }
+
+    /// Measures every run there and back, with what a control adds times a factor, and fits.
+    pub fn measured(&self, trim: Option<&Trim>, factor: f64) -> Found {
+        let (axis, _) = self.setup.model.axis_of(self.error()).unwrap();
+        let described = self.setup.model.axis(axis).unwrap();
+        self.times.set(self.times.get() + 1);
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed + 1000 * self.times.get());
+        let mut observations = Vec::new();
+        for (run, there) in &self.sweeps {
+            for back in [false, true] {
+                let sweeps: Vec<f64> = if back { there.iter().rev().copied().collect() } else { there.clone() };
+                let exact = self.setup.exact(*run, &sweeps);
+                let mut noise = || random.random_range(-NOISE..=NOISE);
+                // The known functions, and each sample's direction.
+                let mut observation = self.setup.observe(*run, &exact, &sweeps, &self.machine, || 0.0);
+                let moves: Vec<f64> = exact.run().coordinates(axis).flatten().collect();
+                // Every reading as if the axis had gone either way; then that of the way it went.
+                let read = |forward: bool| {
+                    let added = |x: f64| trim.map_or(0.0, |t| self.inner(factor * t(self.outer(x), forward)));
+                    let driven = Driven {
+                        machine: &self.machine,
+                        errors: described.motion,
+                        own: self.error(),
+                        sense: self.sense(),
+                        offset: self.sense() * self.hysteresis / if forward { 2.0 } else { -2.0 },
+                        trim: &added,
+                    };
+                    exact.values(&driven).collect::<Vec<f64>>()
+                };
+                let [forward, reverse] = [read(true), read(false)];
+                let rests = moves.is_empty();
+                for (i, sample) in observation.samples.iter_mut().enumerate() {
+                    let (before, behind) = (i.saturating_sub(1), (i + 1).min(sweeps.len() - 1));
+                    let goes_forward = rests || moves[behind] > moves[before];
+                    sample.reading = if goes_forward { forward[i] } else { reverse[i] } + noise();
+                }
+                observations.push(observation);
+            }
+        }
+        let fit = fit(&self.setup, &observations, Estimator::Joint).unwrap();
+        let report =
+            report(&self.setup, &observations, &fit, ErrorLimits::PAPER, &Instrument::default(), false).unwrap();
+        let curve = report.functions.iter().find(|c| c.function == self.function).unwrap();
+        let u95 = curve.points.iter().map(|p| curve.unit.to_inner(p.u95)).fold(0.0, f64::max);
+        Found { observations, fit, u95 }
+    }
+}

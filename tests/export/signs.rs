@@ -1,0 +1,148 @@
+//! Of every format: written, read as its control does, applied to the exact machine, measured and fitted again.
+
+use crate::machine::{Bench, Found, Trim};
+use crate::readers;
+use trunnion::export::{AllFormat, Format, Grid, OneFormat, Subject, Table, Told, left, write, write_all};
+use trunnion::study::{Covered, Setup, by_direction};
+
+/// One arc second, rad.
+const SECOND: f64 = std::f64::consts::PI / 180.0 / 3600.0;
+
+/// Models, the range in degrees, and the rows' step.
+const CASES: [(&str, (f64, f64), f64); 4] = [
+    ("tilting-table-a", (0.0, 360.0), 5.0),
+    ("tilting-table-b", (-30.0, 110.0), 2.0),
+    ("rotary-table-c", (0.0, 360.0), 5.0),
+    ("backwards", (-30.0, 110.0), 2.0),
+];
+
+/// A model of the catalogue, or one whose axis turns the other way.
+fn setup(name: &str) -> Setup {
+    if name != "backwards" {
+        return Setup::from_catalogue(name, &[]).unwrap();
+    }
+    let text = trunnion_codegen::catalogue::source("tilting-table-b").unwrap();
+    let turned = text.replace("rotary = \"y\"", "rotary = \"-y\"").replace("B = \"b\"", "B = \"-b\"");
+    assert_ne!(text, turned);
+    Setup::from_description(&turned.replace("range = [-30, 110]", "range = [-110, 30]"), &[]).unwrap()
+}
+
+fn benches(seed: u64) -> impl Iterator<Item = (Bench, f64)> {
+    CASES.into_iter().map(move |(name, range, step)| (Bench::new(setup(name), 0, range, seed), step))
+}
+
+/// What a control makes of a table.
+fn read(format: Format, table: &Table) -> (Trim, [Vec<f64>; 2]) {
+    // As fine as Fanuc's detection unit can be.
+    let told = Told { detection_unit: 1e-5, ..Told::default() };
+    match format {
+        Format::One(one) => {
+            let written = write(table, one, &told).unwrap();
+            let trim = match one {
+                OneFormat::LinuxCnc => readers::linuxcnc,
+                OneFormat::Sinumerik840d | OneFormat::Sinumerik808d => readers::sinumerik,
+                OneFormat::Cec => readers::cec,
+                OneFormat::Heidenhain => readers::heidenhain,
+                OneFormat::Fanuc => readers::fanuc,
+                OneFormat::Csv => readers::csv,
+                OneFormat::Json => readers::json,
+            };
+            (trim(&written.text), written.kept)
+        }
+        Format::All(all) => {
+            let (text, mut kept) = write_all(std::slice::from_ref(table), &[], all, &[]);
+            let errors = match all {
+                AllFormat::Volcomp => readers::volcomp(&text),
+                AllFormat::Etalon => readers::etalon(&text),
+            };
+            (readers::own_error(&errors, &table.subject.iso, true), kept.remove(0))
+        }
+    }
+}
+
+/// Rows of a format: increments of seven units at most are as coarse as the rows are far apart.
+fn grid(bench: &Bench, found: &Found, format: Format, step: f64) -> Grid {
+    let step = if format == Format::One(OneFormat::Fanuc) { step / 5.0 } else { step };
+    let covered = Covered::of(&bench.setup, bench.function, &found.observations).unwrap();
+    Grid::within((covered.low.to_degrees(), covered.high.to_degrees()), step).unwrap()
+}
+
+/// Formats whose values are errors in the machine's direction, not positions of the axis.
+fn in_machine_direction(format: Format) -> bool {
+    matches!(format, Format::All(_) | Format::One(OneFormat::Csv | OneFormat::Json))
+}
+
+#[test]
+fn what_remains_is_within_the_uncertainty_and_the_wrong_sign_doubles_it() {
+    for (bench, step) in benches(5) {
+        let setup = &bench.setup;
+        let before = bench.measured(None, 0.0);
+        let value = |found: &Found, at: f64| found.fit.function(setup, bench.function, bench.inner(at)).0;
+        // Where the axis is at its zero nothing is taken off: increments begin there.
+        let zero = value(&before, 0.0);
+        let error = |at: f64| [value(&before, at) - zero; 2];
+        for format in Format::ALL {
+            let grid = grid(&bench, &before, format, step);
+            let subject = Subject::new(setup, bench.function, None).unwrap();
+            let table = Table::new(subject, grid, false, error);
+            let (trim, kept) = read(format, &table);
+            let left = left(&table, &kept, format.facts().between, error);
+            let sense = if in_machine_direction(format) { bench.sense() } else { 1.0 };
+            let [after, wrong] = [1.0, -1.0].map(|sign| bench.measured(Some(&trim), sign * sense));
+            let allowed = before.u95 + 2.0 * after.u95 + left;
+            let (mut largest, mut remains, mut doubled) = (0.0f64, 0.0f64, 0.0f64);
+            for at in grid.points() {
+                largest = largest.max(error(at)[0].abs());
+                // What is left of all is a zero that is elsewhere.
+                let from_zero = |found: &Found| value(found, at) - value(found, 0.0);
+                remains = remains.max(from_zero(&after).abs());
+                doubled = doubled.max((from_zero(&wrong) - 2.0 * error(at)[0]).abs());
+            }
+            let named = format!("{} of {}", format.name(), setup.model.name);
+            println!("{named}: {:.2} µrad, {:.3} remain, ±{:.3}", largest * 1e6, remains * 1e6, allowed * 1e6);
+            assert!(largest > 3.0 * allowed, "{named}: nothing to be seen: {largest} ± {allowed}");
+            assert!(remains <= allowed, "{named}: {remains} of {largest}, ± {allowed}");
+            assert!(doubled <= 2.0 * allowed, "{named}: {doubled} from twice {largest}");
+        }
+    }
+}
+
+#[test]
+fn a_hysteresis_of_four_seconds_is_in_the_columns() {
+    for (mut bench, step) in benches(11) {
+        bench.hysteresis = 4.0 * SECOND;
+        let setup = &bench.setup;
+        let found = bench.measured(None, 0.0);
+        let own = by_direction(setup, &found.observations, &found.fit, bench.function);
+        let Ok(own) = own else { panic!("{}", setup.model.name) };
+        let offset = own.at(setup, &found.fit, 0.0).into_iter().sum::<f64>() / 2.0;
+        let error = |at: f64| own.at(setup, &found.fit, bench.inner(at));
+        for format in Format::ALL.into_iter().filter(|format| format.facts().both) {
+            let grid = grid(&bench, &found, format, step);
+            let subject = Subject::new(setup, bench.function, None).unwrap();
+            let table = Table::new(subject, grid, true, error).less(offset);
+            let (trim, kept) = read(format, &table);
+            let sense = if in_machine_direction(format) { bench.sense() } else { 1.0 };
+            let differences =
+                |own: &[Vec<f64>; 2]| -> Vec<f64> { own[0].iter().zip(&own[1]).map(|(a, b)| a - b).collect() };
+            let rows = differences(&kept).into_iter().zip(differences(&table.errors));
+            let rounded = rows.map(|(kept, own)| (kept - own).abs()).fold(0.0, f64::max) / SECOND;
+            let named = format!("{} of {}", format.name(), setup.model.name);
+            for at in grid.points() {
+                // Moving forward the axis is 4″ further, and commanded 4″ less.
+                let seconds = sense * (trim(at, false) - trim(at, true)) * 3600.0;
+                let [_, std] = own.hysteresis(setup, &found.fit, bench.inner(at));
+                let allowed = 0.05 + 4.0 * std / SECOND + rounded;
+                assert!((seconds - 4.0).abs() < allowed, "{named} at {at}: {seconds}″ ± {allowed}");
+                assert!(allowed < 1.0, "{named}: {allowed}″");
+            }
+            // With the table it is gone.
+            let after = bench.measured(Some(&trim), sense);
+            let Ok(own) = by_direction(setup, &after.observations, &after.fit, bench.function) else { panic!() };
+            for at in grid.points() {
+                let [by, std] = own.hysteresis(setup, &after.fit, bench.inner(at)).map(|x| x / SECOND);
+                assert!(by.abs() < 0.05 + 6.0 * std + rounded, "{named} at {at}: {by}″");
+            }
+        }
+    }
+}
