@@ -28,8 +28,9 @@ def costs(sessions, usage):
 
 
 def rows(text):
-    cells = [line.strip("| ").split("|") for line in text.splitlines() if re.match(r"\| .*\d", line)]
-    return {first.strip(): [float(cell) for cell in rest] for first, *rest in cells if "µrad |" not in first}
+    cells = [[cell.strip() for cell in line.strip("| ").split("|")] for line in text.splitlines() if line.startswith("| ")]
+    number = re.compile(r"-?\d+(\.\d+)?").fullmatch
+    return {first: [float(cell) for cell in rest] for first, *rest in cells if rest and all(map(number, rest))}
 
 
 def differing(told, measured):
