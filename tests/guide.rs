@@ -33,7 +33,7 @@ fn every_command_does_what_the_guide_says() {
     let at = directory.path();
     let blocks = GUIDE.split("```sh\n").skip(1).map(|rest| rest.split("```").next().unwrap());
     let commands: Vec<&str> = blocks.flat_map(str::lines).collect();
-    assert_eq!(commands.len(), 7);
+    assert_eq!(commands.len(), 8);
     let circle = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/circular");
     for line in commands {
         if line.starts_with("trunnion circular") {
@@ -61,6 +61,8 @@ fn every_command_does_what_the_guide_says() {
     }
     let report = fs::read_to_string(at.join("report.html")).unwrap();
     assert!(report.contains("QC20-W") && report.contains("Measured on"), "the report has what the project states");
+    let table = fs::read_to_string(at.join("A.comp")).unwrap();
+    assert_eq!(table.lines().map(|row| row.split(' ').count()).collect::<Vec<_>>(), [3; 76]);
     assert!(fs::read_dir(at.join("curves")).unwrap().count() > 0);
     for picture in ["circle.svg", "changes.svg", "trend.svg"] {
         assert!(fs::read_to_string(at.join(picture)).unwrap().starts_with("<svg"), "{picture}");

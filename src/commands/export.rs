@@ -8,7 +8,7 @@ use super::{Refused, number, predicted};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use trunnion::data::{Guard, write_table};
-use trunnion::export::{self, Format, OneFormat, Told, write, write_all};
+use trunnion::export::{Constant, Format, Kept, OneFormat, Table, Told, write, write_all};
 use trunnion::plot::MADE;
 use trunnion::study::Report;
 
@@ -116,24 +116,13 @@ impl ExportArguments {
             Format::One(_) => Vec::new(),
             Format::All(_) => asked.constants(&measured.setup, &fit),
         };
-        let told = Told {
+        let mut told = Told {
             home: self.home,
             detection_unit: self.detection_unit.unwrap_or(Told::default().detection_unit),
             output: self.output_axis.clone(),
-            notes: self.notes(&measured, format, &tables),
+            notes: Vec::new(),
         };
-        let (text, kept) = match format {
-            Format::One(one) => {
-                let only = &tables[0];
-                let written = write(&only.table, one, &told)
-                    .map_err(|why| Refused::NoPlace(format.name(), only.table.subject.name.clone(), why))?;
-                (written.text, vec![written.kept])
-            }
-            Format::All(all) => {
-                let plain: Vec<export::Table> = tables.iter().map(|own| own.table.clone()).collect();
-                write_all(&plain, &constants, all, &told.notes)
-            }
-        };
+        let (_, kept) = written(format, &tables, &constants, &told)?;
         let facts = format.facts();
         let one = |(own, kept)| OneExported::new(&measured.setup, &fit, &report, own, kept, &facts, self.home);
         let exported = Exported {
@@ -141,10 +130,13 @@ impl ExportArguments {
             format,
             facts,
             tables: tables.iter().zip(kept).map(one).collect(),
-            constants,
+            constants: constants.clone(),
             left_out,
             assumptions: measured.setup.model.assumptions.iter().map(|a| a.text.clone()).collect(),
         };
+        // What is known of a table only once it is written stands in its file, too.
+        told.notes = notes(&measured, &exported);
+        let (text, _) = written(format, &tables, &constants, &told)?;
         self.warn(&report, &exported);
         let guard = Guard { inputs: measured.inputs().collect(), force: self.force };
         write_table(&self.out, &text, &guard)?;
@@ -194,23 +186,33 @@ impl ExportArguments {
             None => Ok(()),
         }
     }
+}
 
-    /// The comments of a file.
-    fn notes(&self, measured: &Measured, format: Format, tables: &[Tabled]) -> Vec<String> {
-        let facts = format.facts();
-        let names: Vec<String> = tables.iter().map(|own| own.table.subject.iso.clone()).collect();
-        let model = &measured.setup.model.name;
-        let mut notes = vec![
-            format!("{MADE} {} of {model}, trunnion {}", names.join(" "), env!("CARGO_PKG_VERSION")),
-            format!("{}; {}", facts.unit, facts.sign),
-            facts.verified.words().to_owned(),
-        ];
-        if !facts.needs.is_empty() {
-            notes.push(facts.needs.to_owned());
+/// A file, and what of each table is kept.
+fn written(
+    format: Format,
+    tables: &[Tabled],
+    constants: &[Constant],
+    told: &Told,
+) -> Result<(String, Vec<Kept>), Refused> {
+    match (format, tables) {
+        (Format::All(all), _) => {
+            let plain: Vec<Table> = tables.iter().map(|own| own.table.clone()).collect();
+            Ok(write_all(&plain, constants, all, &told.notes))
         }
-        let one_way = tables.iter().filter(|own| !own.table.both);
-        notes.extend(one_way.map(|own| format!("{}: the same for both directions", own.table.subject.iso)));
-        notes.extend(measured.setup.model.assumptions.iter().map(|a| format!("assumed: {}", a.text)));
-        notes
+        (Format::One(one), [own, ..]) => {
+            let named = || own.table.subject.name.clone();
+            let written = write(&own.table, one, told).map_err(|why| Refused::NoPlace(format.name(), named(), why))?;
+            Ok((written.text, vec![written.kept]))
+        }
+        (Format::One(_), []) => Err(Refused::NothingDetermined(String::new())),
     }
+}
+
+/// The comments of a file: what it is, then what is told of it.
+fn notes(measured: &Measured, exported: &Exported) -> Vec<String> {
+    let (model, version) = (&measured.setup.model.name, env!("CARGO_PKG_VERSION"));
+    let first = format!("{MADE} trunnion {version}, model {model}: {}", exported.facts.what);
+    let told = exported.lines().into_iter().map(|(what, words)| format!("{what}: {words}"));
+    std::iter::once(first).chain(told).collect()
 }

@@ -4,7 +4,7 @@ use super::seen;
 use super::tabled::{LeftOut, Tabled};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use trunnion::export::{Constant, Facts, Format, Subject, Table, Verified, Warning, left, warnings};
+use trunnion::export::{Constant, Facts, Format, Kept, Subject, Table, Verified, Warning, left, warnings};
 use trunnion::study::{COVERAGE, Fit, Report, Setup, coverage_factor};
 
 /// A file that was written, and what is told of it.
@@ -28,13 +28,14 @@ pub struct Exported<'a> {
 /// One table of it.
 pub struct OneExported<'a> {
     table: &'a Table,
-    /// The errors that the control takes off, mm or rad.
-    kept: [Vec<f64>; 2],
+    kept: Kept,
     /// The largest expanded uncertainty of the function, µm or µrad.
     u95: f64,
     /// The hysteresis where it is largest: coordinate, forward less reverse, and the expanded uncertainty of that from noise, µm or
     /// µrad; or why the directions are not told apart.
     hysteresis: Result<[f64; 3], &'a str>,
+    /// Rows that the control takes, at most.
+    most_rows: Option<usize>,
     /// What was taken off all errors, µm or µrad.
     offset: f64,
     /// What the grid leaves, µm or µrad.
@@ -50,7 +51,7 @@ impl<'a> OneExported<'a> {
         fit: &Fit,
         report: &Report,
         own: &'a Tabled,
-        kept: [Vec<f64>; 2],
+        kept: Kept,
         facts: &Facts,
         home: f64,
     ) -> Self {
@@ -73,6 +74,7 @@ impl<'a> OneExported<'a> {
             table,
             u95: points.map(|point| point.u95).fold(0.0, f64::max),
             hysteresis,
+            most_rows: facts.rows,
             offset: unit.from_inner(*offset),
             left: unit.from_inner(left(table, &kept, facts.between, |at| own.error(setup, fit, at))),
             warnings: warnings(table, facts, &kept, home, range),
@@ -80,22 +82,23 @@ impl<'a> OneExported<'a> {
         }
     }
 
-    fn lines(&self) -> Vec<(&'static str, String)> {
+    fn lines(&self) -> Vec<(&str, String)> {
         let grid = &self.table.grid;
         let Subject { name, iso, axis, quantity, along, .. } = &self.table.subject;
         let (unit, along) = (quantity.deviation().symbol(), along.symbol());
         let directions = match &self.hysteresis {
             Ok([at, by, u95]) => format!(
-                "both; forward less reverse is at most {by:+.3} ± {u95:.3} {unit}, at {at} {along} (95 %, of noise; nothing else is \
-                 taken to turn with the direction)"
+                "both; forward less reverse is at most {by:+.3} ± {u95:.3} {unit}, at {at} {along} (95 %, of noise alone; nothing \
+                 else is taken to turn with the direction)"
             ),
             Err(why) => format!("the same for both: {why}"),
         };
+        let most = self.most_rows.map_or(String::new(), |most| format!(" of at most {most}"));
         let grid_error =
             format!("at most {:.4} {unit} from the function to what the control makes of its table", self.left);
         let mut lines = vec![
             ("function", format!("{name} ({iso}) of axis {axis}, at most ± {:.3} {unit} (95 %)", self.u95)),
-            ("rows", format!("{} from {} to {} {along} by {}", grid.rows(), grid.from(), grid.to(), grid.step())),
+            ("rows", format!("{}{most} from {} to {} {along} by {}", grid.rows(), grid.from(), grid.to(), grid.step())),
             ("directions", directions),
             ("grid error", grid_error),
         ];
@@ -146,33 +149,33 @@ impl<'a> OneExported<'a> {
 }
 
 impl Exported<'_> {
+    /// What is told of it: of what, and in words.
+    pub fn lines(&self) -> Vec<(&str, String)> {
+        let facts = &self.facts;
+        let tables = self.tables.iter().flat_map(OneExported::lines);
+        let constants = self.constants.iter().map(|(name, value)| (name.as_str(), format!("{value:.9} mm or rad")));
+        let left_out = self.left_out.iter().map(|(name, words)| ("left out", format!("{name}, which is {words}")));
+        let facts = [
+            ("values", format!("{}; {}", facts.unit, facts.sign)),
+            ("between rows", facts.between.words().to_owned()),
+            ("beyond the ends", facts.ends.words().to_owned()),
+            ("over a turn", facts.turn.to_owned()),
+            ("resolution", facts.resolution.to_owned()),
+            ("needs", facts.needs.to_owned()),
+            ("verified", facts.verified.words().to_owned()),
+            ("source", facts.source.to_owned()),
+        ];
+        let assumed = self.assumptions.iter().map(|assumption| ("assumed", assumption.clone()));
+        let told = tables.chain(constants).chain(left_out).chain(assumed).chain(facts);
+        told.filter(|(_, words)| !words.is_empty()).collect()
+    }
+
     /// A line for each.
     pub fn text(&self) -> String {
-        let facts = &self.facts;
-        let mut out = format!("{}: {}\n", self.file, facts.what);
-        let mut line = |what: &str, words: &str| {
+        let mut out = format!("{}: {}\n", self.file, self.facts.what);
+        for (what, words) in self.lines() {
             let _ = writeln!(out, "  {what}: {words}");
-        };
-        for (what, words) in self.tables.iter().flat_map(OneExported::lines) {
-            line(what, &words);
         }
-        for (name, value) in &self.constants {
-            line(name, &format!("{value:.9} mm or rad"));
-        }
-        for (name, words) in &self.left_out {
-            line("left out", &format!("{name}, which is {words}"));
-        }
-        line("values", &format!("{}; {}", facts.unit, facts.sign));
-        line("between rows", facts.between.words());
-        line("beyond the ends", facts.ends.words());
-        line("over a turn", facts.turn);
-        line("resolution", facts.resolution);
-        if !facts.needs.is_empty() {
-            line("needs", facts.needs);
-        }
-        self.assumptions.iter().for_each(|assumption| line("assumed", assumption));
-        line("verified", facts.verified.words());
-        line("source", facts.source);
         seen(&out)
     }
 

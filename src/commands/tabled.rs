@@ -158,9 +158,9 @@ impl Asked<'_> {
     /// The table's coordinates: those asked for, as far as they were measured.
     fn grid(&self, covered: &Covered, unit: Unit) -> Result<Grid, Refused> {
         let (low, high) = (unit.from_inner(covered.low), unit.from_inner(covered.high));
-        let (range, step, names) = match unit {
-            Unit::Deg => (self.range_deg, self.step_deg, ["range-deg", "step-deg"]),
-            _ => (self.range_mm, self.step_mm, ["range-mm", "step-mm"]),
+        let (range, step, option) = match unit {
+            Unit::Deg => (self.range_deg, self.step_deg, "range-deg"),
+            _ => (self.range_mm, self.step_mm, "range-mm"),
         };
         let step = step.unwrap_or_else(|| match unit {
             Unit::Deg => STEP_DEG,
@@ -169,12 +169,11 @@ impl Asked<'_> {
         if let Some((from, to)) = range {
             return match covered.has((unit.to_inner(from), unit.to_inner(to))) {
                 true => Ok(Grid::new(from, to, step)?),
-                false => Err(not_measured(names[0], &format!("{from}:{to}"), covered, unit)),
+                false => Err(not_measured(option, &format!("{from}:{to}"), covered, unit)),
             };
         }
         let turn = covered.whole_turn.then_some(360.0);
-        let within = Grid::within((low, turn.map_or(high, |turn| low + turn + step)), step);
-        let grid = within.ok_or_else(|| not_measured(names[1], &step.to_string(), covered, unit))?;
+        let grid = Grid::within((low, turn.map_or(high, |turn| low + turn + step)), step)?;
         Ok(match turn {
             Some(turn) => Grid::new(grid.from(), grid.from() + turn, step)?,
             None => grid,

@@ -49,6 +49,8 @@ pub enum Ends {
     HeldOrRepeated,
     /// It is not documented.
     Unknown,
+    /// No control reads it.
+    NoControl,
 }
 
 /// What was tried on a control.
@@ -78,7 +80,8 @@ impl Ends {
         match self {
             Self::Held => "the value of the row at the end",
             Self::HeldOrRepeated => "the value of the row at the end; a whole turn begins again",
-            Self::Unknown => "what is not documented",
+            Self::Unknown => "not documented",
+            Self::NoControl => "none",
         }
     }
 }
@@ -132,7 +135,7 @@ const PLAIN: Facts = Facts {
     unit: "µm or µrad; coordinates in mm or degrees",
     sign: "value = error",
     between: Between::Straight,
-    ends: Ends::Unknown,
+    ends: Ends::NoControl,
     turn: "as written",
     rows: None,
     both: true,
@@ -200,7 +203,7 @@ impl Format {
                 resolution: "the detection unit times parameter 3623",
                 needs: "parameters 3620 to 3625, as in the list; power off and on, reference return",
                 verified: Verified::Documented,
-                source: "Fanuc, B-63980EN p. 100, A-77810E",
+                source: "Fanuc, B-63980EN p. 100, A-77810E; the number of rows from others",
             },
             Self::All(AllFormat::Volcomp) => Facts { what: "VOLCOMP, ISG CSV", ..ISO },
             Self::All(AllFormat::Etalon) => Facts { what: "Etalon exchange format", ..ISO },

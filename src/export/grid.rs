@@ -30,6 +30,16 @@ pub enum GridError {
         /// The whole number of steps nearest to its end.
         near: f64,
     },
+    /// Not two multiples of the step within a range.
+    #[error("not two multiples of {step} from {low:.3} to {high:.3}\n  expected a smaller step")]
+    TooFew {
+        /// The lowest coordinate.
+        low: f64,
+        /// The highest.
+        high: f64,
+        /// The step.
+        step: f64,
+    },
     /// More rows than are written.
     #[error("more than {ROWS} rows\n  expected a larger step")]
     TooMany,
@@ -52,10 +62,16 @@ impl Grid {
         if whole { Ok(grid) } else { Err(GridError::NotWhole { from, to, step, near: grid.to() }) }
     }
 
-    /// The multiples of a step within two ends; `None` where there are not two.
-    pub fn within((low, high): (f64, f64), step: f64) -> Option<Self> {
+    /// The multiples of a step within two ends.
+    ///
+    /// # Errors
+    /// [`GridError`]
+    pub fn within((low, high): (f64, f64), step: f64) -> Result<Self, GridError> {
         let (first, last) = ((low / step - SLACK).ceil(), (high / step + SLACK).floor());
-        Self::new(decimal(first * step), decimal(last * step), step).ok().filter(|_| last > first)
+        match last > first {
+            true => Self::new(decimal(first * step), decimal(last * step), step),
+            false => Err(GridError::TooFew { low, high, step }),
+        }
     }
 
     /// Its first coordinate.

@@ -1,8 +1,9 @@
 //! Errors under their ISO 230-1 names, for ISG's and Beckhoff's volumetric compensation and in Etalon's exchange format: values in mm
 //! or rad, coordinates in mm or degrees.
 
-use super::digits::{comments, decimal, number};
+use super::digits::{comments, decimal, read_back};
 use super::table::Table;
+use super::written::Kept;
 
 /// Digits behind the point: of a value, of a coordinate.
 const DIGITS: [usize; 2] = [12, 6];
@@ -10,14 +11,14 @@ const DIGITS: [usize; 2] = [12, 6];
 /// A location error that is identified: its name without the E (`Y0A`), mm or rad.
 pub type Constant = (String, f64);
 
-/// What of a table's mean of both directions is kept, mm or rad.
-pub(super) fn kept(table: &Table) -> [Vec<f64>; 2] {
-    let kept: Vec<f64> = mean(table).map(|value| number(&decimal(value, DIGITS[0]))).collect();
-    [kept.clone(), kept]
+/// What of a table's mean of both directions is kept.
+pub(super) fn kept(table: &Table) -> Kept {
+    read_back(&table.mean().errors, DIGITS[0])
 }
 
-fn mean(table: &Table) -> impl Iterator<Item = f64> {
-    table.errors[0].iter().zip(&table.errors[1]).map(|(forward, reverse)| (forward + reverse) / 2.0)
+fn mean(table: &Table) -> Vec<f64> {
+    let [mean, _] = table.mean().errors;
+    mean
 }
 
 /// ISG's CSV: a header of names and rows of numbers for each axis, `#` between them.
@@ -34,8 +35,10 @@ pub(super) fn volcomp(tables: &[Table], constants: &[Constant], notes: &[String]
         let (own, others): (Vec<&Table>, Vec<&Table>) = left.into_iter().partition(same);
         left = others;
         let names: Vec<&str> = own.iter().map(|table| table.subject.iso.as_str()).collect();
-        let mut part = format!("{} {}\n", first.subject.axis, names.join(" "));
-        let columns: Vec<Vec<f64>> = own.iter().map(|table| mean(table).collect()).collect();
+        // The argument is the axis of the errors' names: EAA is one of A.
+        let argument = first.subject.iso.get(2..).unwrap_or_default();
+        let mut part = format!("{argument} {}\n", names.join(" "));
+        let columns: Vec<Vec<f64>> = own.iter().map(|table| mean(table)).collect();
         for (row, at) in first.grid.points().enumerate() {
             let values = columns.iter().map(|column| format!(" {}", decimal(column[row], DIGITS[0])));
             part += &format!("{}{}\n", decimal(at, DIGITS[1]), values.collect::<String>());

@@ -23,7 +23,7 @@ pub use grid::{Grid, GridError};
 pub use iso::Constant;
 pub use table::{NoAxis, Subject, Table, TakenOff};
 pub use warning::{Warning, warnings};
-pub use written::{Written, left};
+pub use written::{Kept, Written, left};
 
 use thiserror::Error;
 
@@ -88,13 +88,8 @@ pub fn write(table: &Table, format: OneFormat, told: &Told) -> Result<Written, N
     }
 }
 
-/// Every table and constant in a format, and what of each table is kept at its rows (mm or rad, as in [`Written`]).
-pub fn write_all(
-    tables: &[Table],
-    constants: &[Constant],
-    format: AllFormat,
-    notes: &[String],
-) -> (String, Vec<[Vec<f64>; 2]>) {
+/// Every table and constant in a format, and what of each table is kept.
+pub fn write_all(tables: &[Table], constants: &[Constant], format: AllFormat, notes: &[String]) -> (String, Vec<Kept>) {
     let text = match format {
         AllFormat::Volcomp => iso::volcomp(tables, constants, notes),
         AllFormat::Etalon => iso::etalon(tables, constants, notes),

@@ -11,14 +11,14 @@ const ENCODER: usize = 0;
 
 /// Encoder error compensation; `None` of a function that is not the axis' own position.
 pub(super) fn encoder(table: &Table, notes: &[String]) -> Option<Written> {
-    let sense = table.own()?;
+    let (table, sense) = (table.mean(), table.own()?);
     let values = table.scaled(sense);
     let axis = &table.subject.axis;
     let mut text = format!("%_N_AX_EEC_INI\n{}CHANDATA(1)\n", comments(";", notes));
     for (row, value) in values[0].iter().enumerate() {
         text += &format!("$AA_ENC_COMP[{ENCODER},{row},{axis}]={}\n", decimal(*value, DIGITS));
     }
-    for (what, value) in ends(table) {
+    for (what, value) in ends(&table) {
         text += &format!("$AA_ENC_COMP_{what}[{ENCODER},{axis}]={value}\n");
     }
     text += "M17\n";

@@ -120,11 +120,12 @@ impl Table {
         Self { subject, grid, errors: [increasing, decreasing], both }
     }
 
-    /// The same with an offset (mm or rad) taken off all of its errors.
+    /// The same for formats with one value for both directions: their mean.
     #[must_use]
-    pub fn less(mut self, offset: f64) -> Self {
-        self.errors.iter_mut().flatten().for_each(|error| *error -= offset);
-        self
+    pub(super) fn mean(&self) -> Self {
+        let [forward, reverse] = &self.errors;
+        let mean: Vec<f64> = forward.iter().zip(reverse).map(|(forward, reverse)| (forward + reverse) / 2.0).collect();
+        Self { errors: [mean.clone(), mean], both: false, ..self.clone() }
     }
 
     /// Errors in degrees or mm, times a factor.

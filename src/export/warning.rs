@@ -1,7 +1,8 @@
 //! What fails on a control, or surprises there.
 
-use super::facts::Facts;
+use super::facts::{Ends, Facts};
 use super::table::Table;
+use super::written::Kept;
 use std::fmt;
 use trunnion_codegen::quantity::Unit;
 
@@ -24,7 +25,7 @@ pub enum Warning {
         /// The axis' range in the model, where it has one.
         axis: Option<[f64; 2]>,
         /// What the control does there.
-        does: &'static str,
+        does: Ends,
         /// Degrees or mm.
         unit: Unit,
     },
@@ -46,12 +47,17 @@ impl fmt::Display for Warning {
                  and {less:.3} {unit} in reverse, not 0"
             ),
             Self::Ends { table: [from, to], axis, does, unit } => {
-                write!(f, "beyond {from} to {to} {} the control takes {does}", unit.symbol())?;
+                let does = does.words();
+                write!(
+                    f,
+                    "beyond {from} to {to} {}, where the axis can be commanded, the control takes: {does}",
+                    unit.symbol()
+                )?;
                 match axis {
                     Some([low, high]) => {
-                        write!(f, ": the axis goes from {low} to {high} {} in the model", unit.symbol())
+                        write!(f, "; the axis goes from {low} to {high} {} in the model", unit.symbol())
                     }
-                    None => f.write_str(": command the axis within it, or choose a larger range"),
+                    None => f.write_str("; command it within, or choose a larger range"),
                 }
             }
             Self::MoreThanATurn => f.write_str(
@@ -63,13 +69,7 @@ impl fmt::Display for Warning {
 }
 
 /// Everything to be wary of; `home` is where the axis powers up, `range` where it goes in the model, degrees or mm.
-pub fn warnings(
-    table: &Table,
-    facts: &Facts,
-    kept: &[Vec<f64>; 2],
-    home: f64,
-    range: Option<[f64; 2]>,
-) -> Vec<Warning> {
+pub fn warnings(table: &Table, facts: &Facts, kept: &Kept, home: f64, range: Option<[f64; 2]>) -> Vec<Warning> {
     let grid = &table.grid;
     let (from, to) = (grid.from(), grid.to());
     let deviation = table.subject.quantity.deviation();
@@ -94,16 +94,17 @@ pub fn warnings(
     if turns && to - from > TURN + slack {
         warnings.push(Warning::MoreThanATurn);
     }
-    if beyond && (range.is_some() || turns) {
-        warnings.push(Warning::Ends {
-            table: [from, to],
-            axis: range,
-            does: facts.ends.words(),
-            unit: table.subject.along,
-        });
+    let goes_on = match facts.ends {
+        Ends::Held | Ends::Unknown => true,
+        Ends::HeldOrRepeated => !table.is_a_turn(),
+        Ends::NoControl => false,
+    };
+    if goes_on && beyond && (range.is_some() || turns) {
+        let unit = table.subject.along;
+        warnings.push(Warning::Ends { table: [from, to], axis: range, does: facts.ends, unit });
     }
     let jump = kept.iter().map(|kept| (kept[last] - kept[0]).abs()).fold(0.0, f64::max);
-    if turns && (to - from - TURN).abs() <= slack && jump > NONE {
+    if table.is_a_turn() && jump > NONE {
         warnings.push(Warning::Jump(shown(jump), deviation.symbol()));
     }
     warnings

@@ -6,19 +6,22 @@ use super::table::Table;
 /// Coordinates at which the error is looked at, to an interval.
 const LOOKED_AT: usize = 32;
 
+/// The errors that a control takes off at each row of a table, mm or rad, forward and reverse: rounded to the digits written and to
+/// its own numbers.
+pub type Kept = [Vec<f64>; 2];
+
 /// A table as a control takes it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Written {
     /// The file.
     pub text: String,
-    /// The errors that the control takes off at each row, mm or rad, forward and reverse: rounded to the digits written and to its own
-    /// numbers.
-    pub kept: [Vec<f64>; 2],
+    /// What the control makes of its rows.
+    pub kept: Kept,
 }
 
 /// The largest difference between a function and what a control makes of its table, over the table's range, mm or rad: between rows,
 /// and by rounding. `error` gives the errors in either direction at a coordinate in degrees or mm.
-pub fn left(table: &Table, kept: &[Vec<f64>; 2], between: Between, error: impl Fn(f64) -> [f64; 2]) -> f64 {
+pub fn left(table: &Table, kept: &Kept, between: Between, error: impl Fn(f64) -> [f64; 2]) -> f64 {
     let difference = |(at, x): (usize, f64)| {
         let (row, share) = (at / LOOKED_AT, (at % LOOKED_AT) as f64 / LOOKED_AT as f64);
         let of = |kept: &[f64], error: f64| {

@@ -22,7 +22,7 @@ pub struct Covered {
 }
 
 impl Covered {
-    /// Of measured runs; `None` where the axis rests in all of them.
+    /// Of measured runs; `None` where the axis moves in none of them.
     pub fn of(setup: &Setup, function: FunctionId, observations: &[Observation]) -> Option<Self> {
         let (axis, _) = setup.model.axis_of(setup.model.functions[function].error)?;
         let ways = observations.iter().map(|o| {
@@ -39,7 +39,7 @@ impl Covered {
         let turns = setup.axis(function).is_some_and(|axis| axis.kind == AxisKind::Rotary);
         let whole_turn = turns && high - low + 2.0 * step >= TAU && repeats(setup, function);
         // A whole turn is often measured without its end, which is its beginning.
-        (low <= high).then_some(Self { low: low - step, high: high + step, whole_turn })
+        (low < high).then_some(Self { low: low - step, high: high + step, whole_turn })
     }
 
     /// Whether a range is within it, mm or rad.

@@ -3,7 +3,6 @@
 use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::cell::Cell;
-use trunnion::export::{Subject, TakenOff};
 use trunnion::study::{
     ErrorLimits, Estimator, Fit, Instrument, Observation, Population, Setup, SimulatedMachine, fit, report,
 };
@@ -49,6 +48,8 @@ impl ErrorValues for Driven<'_> {
 pub struct Bench {
     pub setup: Setup,
     pub function: FunctionId,
+    /// −1 where the axis' positive motion is against the error's direction.
+    pub sense: f64,
     pub machine: SimulatedMachine,
     /// Forward less reverse, mm or rad.
     pub hysteresis: f64,
@@ -67,27 +68,19 @@ pub struct Found {
 }
 
 impl Bench {
-    /// A model over a range in degrees; the function by its place among the estimated ones.
-    pub fn new(setup: Setup, function: usize, range_deg: (f64, f64), seed: u64) -> Self {
+    /// A model over a range in degrees; the first of its estimated functions.
+    pub fn new(setup: Setup, sense: f64, range_deg: (f64, f64), seed: u64) -> Self {
         let range = (range_deg.0.to_radians(), range_deg.1.to_radians());
         let sweeps: Vec<(RunId, Vec<f64>)> =
-            setup.model.runs.keys().map(|run| (run, setup.swept(run, 361, range))).collect();
+            setup.model.runs.keys().map(|run| (run, setup.swept(run, 181, range))).collect();
         let exact: Vec<ExactReading> = sweeps.iter().map(|(run, sweeps)| setup.exact(*run, sweeps)).collect();
         let machine = Population::new(&setup, &exact, ErrorLimits::PAPER).draw(&mut ChaCha8Rng::seed_from_u64(seed));
-        let function = setup.estimated().nth(function).unwrap();
-        Self { setup, function, machine, hysteresis: 0.0, sweeps, seed, times: Cell::new(0) }
+        let function = setup.estimated().next().unwrap();
+        Self { setup, function, sense, machine, hysteresis: 0.0, sweeps, seed, times: Cell::new(0) }
     }
 
     pub fn error(&self) -> ErrorId {
         self.setup.model.functions[self.function].error
-    }
-
-    /// −1 where the axis' positive motion is against the error's direction.
-    pub fn sense(&self) -> f64 {
-        match Subject::new(&self.setup, self.function, None).unwrap().taken_off {
-            TakenOff::Own(sense) => sense,
-            other => panic!("{other:?}"),
-        }
     }
 
     /// One of its coordinates in degrees or mm, in rad or mm.
@@ -121,8 +114,8 @@ impl Bench {
                         machine: &self.machine,
                         errors: described.motion,
                         own: self.error(),
-                        sense: self.sense(),
-                        offset: self.sense() * self.hysteresis / if forward { 2.0 } else { -2.0 },
+                        sense: self.sense,
+                        offset: self.sense * self.hysteresis / if forward { 2.0 } else { -2.0 },
                         trim: &added,
                     };
                     exact.values(&driven).collect::<Vec<f64>>()

@@ -1,5 +1,9 @@
 //! Compensation tables: what a control makes of them, and what then remains of the error.
 
+mod commands;
+mod cross;
 mod machine;
+mod pages;
+mod properties;
 mod readers;
 mod signs;

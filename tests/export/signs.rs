@@ -8,12 +8,12 @@ use trunnion::study::{Covered, Setup, by_direction};
 /// One arc second, rad.
 const SECOND: f64 = std::f64::consts::PI / 180.0 / 3600.0;
 
-/// Models, the range in degrees, and the rows' step.
-const CASES: [(&str, (f64, f64), f64); 4] = [
-    ("tilting-table-a", (0.0, 360.0), 5.0),
-    ("tilting-table-b", (-30.0, 110.0), 2.0),
-    ("rotary-table-c", (0.0, 360.0), 5.0),
-    ("backwards", (-30.0, 110.0), 2.0),
+/// Models, the range in degrees, the rows' step, and −1 where the axis' positive motion is against the error's direction.
+const CASES: [(&str, (f64, f64), f64, f64); 4] = [
+    ("tilting-table-a", (0.0, 360.0), 5.0, 1.0),
+    ("tilting-table-b", (-30.0, 110.0), 2.0, 1.0),
+    ("rotary-table-c", (0.0, 360.0), 5.0, 1.0),
+    ("backwards", (-30.0, 110.0), 2.0, -1.0),
 ];
 
 /// A model of the catalogue, or one whose axis turns the other way.
@@ -28,7 +28,7 @@ fn setup(name: &str) -> Setup {
 }
 
 fn benches(seed: u64) -> impl Iterator<Item = (Bench, f64)> {
-    CASES.into_iter().map(move |(name, range, step)| (Bench::new(setup(name), 0, range, seed), step))
+    CASES.into_iter().map(move |(name, range, step, sense)| (Bench::new(setup(name), sense, range, seed), step))
 }
 
 /// What a control makes of a table.
@@ -87,7 +87,7 @@ fn what_remains_is_within_the_uncertainty_and_the_wrong_sign_doubles_it() {
             let table = Table::new(subject, grid, false, error);
             let (trim, kept) = read(format, &table);
             let left = left(&table, &kept, format.facts().between, error);
-            let sense = if in_machine_direction(format) { bench.sense() } else { 1.0 };
+            let sense = if in_machine_direction(format) { bench.sense } else { 1.0 };
             let [after, wrong] = [1.0, -1.0].map(|sign| bench.measured(Some(&trim), sign * sense));
             let allowed = before.u95 + 2.0 * after.u95 + left;
             let (mut largest, mut remains, mut doubled) = (0.0f64, 0.0f64, 0.0f64);
@@ -120,9 +120,9 @@ fn a_hysteresis_of_four_seconds_is_in_the_columns() {
         for format in Format::ALL.into_iter().filter(|format| format.facts().both) {
             let grid = grid(&bench, &found, format, step);
             let subject = Subject::new(setup, bench.function, None).unwrap();
-            let table = Table::new(subject, grid, true, error).less(offset);
+            let table = Table::new(subject, grid, true, |at| error(at).map(|e| e - offset));
             let (trim, kept) = read(format, &table);
-            let sense = if in_machine_direction(format) { bench.sense() } else { 1.0 };
+            let sense = if in_machine_direction(format) { bench.sense } else { 1.0 };
             let differences =
                 |own: &[Vec<f64>; 2]| -> Vec<f64> { own[0].iter().zip(&own[1]).map(|(a, b)| a - b).collect() };
             let rows = differences(&kept).into_iter().zip(differences(&table.errors));
