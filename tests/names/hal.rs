@@ -29,6 +29,27 @@ fn of_machines() -> Vec<Component> {
     machines().iter().map(|machine| component(&machine.model, &machine.derivation).unwrap()).collect()
 }
 
+/// Models that are called like something in LinuxCNC, or longer than it has room for, and what their components are called.
+const CALLED: [(&str, &str); 7] = [
+    ("threads", "threads_2"),
+    ("hal", "hal_2"),
+    ("rtapi", "rtapi_2"),
+    ("component", "component"),
+    ("pin", "pin"),
+    ("realtime", "realtime_2"),
+    ("a_model_with_a_name_beyond_all_room", "a_mo_wi_a_na_be_al_r"),
+];
+
+fn of_names() -> Vec<Component> {
+    let one = |(name, called): (&str, &str)| {
+        let (model, derivation) = read_and_derive(&description(name, &PLAIN)).unwrap();
+        let component = component(&model, &derivation).unwrap();
+        assert_eq!(component.name, called);
+        component
+    };
+    CALLED.into_iter().map(one).collect()
+}
+
 /// What is declared: whether a pin, its type, its name, its value.
 fn declared(component: &Component) -> Vec<(bool, &str, &str, &str)> {
     let lines = component.source.lines().take_while(|line| *line != ";;");
@@ -72,7 +93,7 @@ fn standing_alone(component: &Component) -> String {
 
 #[test]
 fn hal_has_room_for_every_name_and_no_two_are_alike() {
-    for component in of_catalogue().iter().chain(&of_machines()) {
+    for component in of_catalogue().iter().chain(&of_names()).chain(&of_machines()) {
         let mut names = BTreeSet::new();
         for (_, _, name, _) in declared(component) {
             let whole = format!("{}.99.{name}", component.name.replace('_', "-"));
@@ -105,7 +126,7 @@ fn halcompile_builds_components() {
         return;
     }
     let folder = folder("halcompile");
-    for component in of_catalogue().iter().chain(of_machines().iter().step_by(EACH)) {
+    for component in of_catalogue().iter().chain(&of_names()).chain(of_machines().iter().step_by(EACH)) {
         let file = format!("{}.comp", component.name);
         std::fs::write(folder.join(&file), &component.source).unwrap();
         let built = Command::new("halcompile").current_dir(&folder).args(["--compile", &file]).output().unwrap();
