@@ -30,8 +30,9 @@ fn of_machines() -> Vec<Component> {
 }
 
 /// Models that are called like something in LinuxCNC, or longer than it has room for, and what their components are called.
-const CALLED: [(&str, &str); 7] = [
+const CALLED: [(&str, &str); 8] = [
     ("threads", "threads_2"),
+    ("near", "near_2"),
     ("hal", "hal_2"),
     ("rtapi", "rtapi_2"),
     ("component", "component"),
