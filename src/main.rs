@@ -43,6 +43,8 @@ enum Command {
     Fit(commands::fit::FitArguments),
     /// A compensation table for a control from an estimated function.
     Export(commands::export::ExportArguments),
+    /// Where the rotary axes are, for a control's kinematics: from location errors that were estimated
+    Pivots(commands::pivots::PivotArguments),
     /// The circular test of ISO 230-4: its figures, what is read from the trace, and the polar plot.
     Circular(commands::circular::CircularArguments),
     /// What has changed between reports, beyond their uncertainty.
@@ -81,6 +83,7 @@ fn main() -> ExitCode {
         Command::Import(c) => c.run(),
         Command::Fit(c) => c.run(),
         Command::Export(c) => c.run(),
+        Command::Pivots(c) => c.run(),
         Command::Circular(c) => c.run(),
         Command::Compare(c) => c.run(),
         Command::Plan(c) => c.run(),

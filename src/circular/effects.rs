@@ -1,8 +1,9 @@
 //! The linear model of a trace, fitted to all paths together.
 
+use super::direction::Direction;
 use super::plane::Reversal;
 use super::terms::Term;
-use super::trace::{Direction, Trace, Traces};
+use super::trace::{Trace, Traces};
 use super::undetermined::Undetermined;
 use crate::study::Look;
 use nalgebra::SVector;

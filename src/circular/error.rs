@@ -1,6 +1,6 @@
 //! Why a test has no figures.
 
-use super::trace::Direction;
+use super::direction::Direction;
 use core::fmt;
 use thiserror::Error;
 use trunnion_solver::circle::CircleError;

@@ -1,11 +1,12 @@
 //! From the paths of a test to all of its figures.
 
 use super::circles::{At, Circles, Radial, hysteresis, radial};
+use super::direction::Direction;
 use super::effects::{Effect, Model, Scatter};
 use super::error::{CircularError, Which};
 use super::plane::Plane;
 use super::spikes::{Spike, spikes};
-use super::trace::{Direction, Trace, Traces};
+use super::trace::{Trace, Traces};
 use super::undetermined::Undetermined;
 use crate::data::Radius;
 use thiserror::Error;

@@ -17,6 +17,7 @@
 //! Nothing here reads or writes a file or a terminal. Lengths are in mm and angles in rad.
 
 mod circles;
+mod direction;
 mod effects;
 mod error;
 mod figures;
@@ -31,6 +32,7 @@ mod undetermined;
 mod zone;
 
 pub use circles::{At, Circles, Radial};
+pub use direction::Direction;
 pub use effects::{Effect, Estimate, Scatter};
 pub use error::{CircularError, Which};
 pub use figures::{Both, Circular, Path, Test, Warning, circular};
@@ -39,5 +41,5 @@ pub use plane::{Axis, Plane, Reversal};
 pub use profile::Profile;
 pub use spikes::{Height, Spike};
 pub use terms::{Measure, Term};
-pub use trace::{Direction, Trace, TraceError, Traces};
+pub use trace::{Trace, TraceError, Traces};
 pub use undetermined::Undetermined;

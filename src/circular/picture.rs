@@ -1,8 +1,9 @@
 //! The picture of a circular test.
 
+use super::direction::Direction;
 use super::figures::{Circular, Test};
 use super::plane::Axis;
-use super::trace::{Direction, Trace};
+use super::trace::Trace;
 use crate::plot::{Mark, PolarChart, Rim, Scale, Series, Tone};
 use std::f64::consts::TAU;
 use trunnion_codegen::quantity::Unit;

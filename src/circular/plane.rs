@@ -13,10 +13,16 @@ pub struct Plane([char; 2]);
 impl Plane {
     /// A plane by its axes' names, such as `XY` or `ZX`; none of other texts.
     pub fn named(name: &str) -> Option<Self> {
-        let mut names = name.chars();
+        let mut names = name.trim().chars().map(|letter| letter.to_ascii_uppercase());
         let (first, second) = (names.next()?, names.next()?);
         let are_axes = [first, second].iter().all(|axis| NAMES.contains(*axis));
         (are_axes && first != second && names.next().is_none()).then_some(Self([first, second]))
+    }
+
+    /// Whether it is the same plane, whichever axis is named first.
+    pub fn is_along(self, other: Self) -> bool {
+        let Self([first, second]) = other;
+        self == other || self == Self([second, first])
     }
 
     /// The name of an axis.

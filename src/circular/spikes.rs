@@ -1,8 +1,9 @@
 //! Reversal spikes: what an axis does within a moment after it has turned round.
 
+use super::direction::Direction;
 use super::effects::{Model, SETTLING, after};
 use super::plane::Reversal;
-use super::trace::{Direction, Trace, Traces};
+use super::trace::{Trace, Traces};
 use super::undetermined::Undetermined;
 use nalgebra::SVector;
 use std::f64::consts::TAU;

@@ -12,8 +12,8 @@
 //!               Δy = −B/2 · sign vy         ∓B/2 · sin a sign(cos a)
 //! ```
 
+use super::direction::Direction;
 use super::plane::{Axis, Plane, Reversal};
-use super::trace::Direction;
 use crate::data::Radius;
 use trunnion_codegen::quantity::Unit;
 

@@ -1,8 +1,8 @@
 //! What is measured: one path of a circular test, or one in each direction.
 
+use super::direction::Direction;
 use super::profile::Profile;
 use crate::data::Radius;
-use core::fmt;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use thiserror::Error;
 
@@ -12,34 +12,6 @@ const SHORTEST: f64 = FRAC_PI_2;
 const FEWEST: usize = 8;
 /// This share of a path's steps has to go one way, or its samples are in no order.
 const ORDERED: f64 = 0.75;
-
-/// Which way a circle is gone through, as seen with the first axis of the plane to the right and the second one upwards.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// The angle decreases.
-    Clockwise,
-    /// The angle increases.
-    Counterclockwise,
-}
-
-impl Direction {
-    /// By which factor the angle goes on.
-    pub const fn sign(self) -> f64 {
-        match self {
-            Self::Clockwise => -1.0,
-            Self::Counterclockwise => 1.0,
-        }
-    }
-}
-
-impl fmt::Display for Direction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Clockwise => "clockwise",
-            Self::Counterclockwise => "counterclockwise",
-        })
-    }
-}
 
 /// Why samples are no path.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]

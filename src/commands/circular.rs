@@ -8,30 +8,35 @@ use clap::{ArgGroup, Args};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use trunnion::circular::{
-    At, Circles, Circular, Effect, Estimate, Plane, Radial, Spike, Test, Trace, Traces, Undetermined, circular, picture,
+    At, Circles, Circular, Direction, Effect, Estimate, Plane, Radial, Spike, Test, Trace, Traces, Undetermined,
+    circular, picture,
 };
-use trunnion::data::{ObservationsError, Radius, Sweep, Unit};
+use trunnion::data::{Columns, ObservationsError, Radius, Sweep, Unit, import};
+use trunnion::import::{Imported, Stated, Trace as Run};
 
 /// Seconds of a minute.
 const MINUTE: f64 = 60.0;
 
 /// Arguments of `circular`.
 #[derive(Debug, Args)]
-#[command(group = ArgGroup::new("paths").args(["cw", "ccw"]).multiple(true).required(true))]
+#[command(group = ArgGroup::new("paths").args(["file", "cw", "ccw"]).multiple(true).required(true))]
 pub struct CircularArguments {
+    /// Both paths, or one, in one file: a .b5r of Renishaw Ballbar 20, or CSV as below whose angles go one way, then the other.
+    #[arg(value_name = "FILE", conflicts_with_all = ["cw", "ccw"])]
+    file: Option<PathBuf>,
     /// Readings of the clockwise path: CSV with an angle (a_deg, or another name with _deg or _rad) and dr_um or dr_mm.
     #[arg(long, value_name = "FILE")]
     cw: Option<PathBuf>,
     /// Readings of the counterclockwise path: from the first axis of the plane to the second.
     #[arg(long, value_name = "FILE")]
     ccw: Option<PathBuf>,
-    /// Nominal length of the ball-bar, mm.
+    /// Nominal length of the ball-bar, mm; a .b5r says it itself.
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = millimetres)]
-    radius: f64,
-    /// The two axes: angles count from the first to the second.
-    #[arg(long, value_name = "AXES", default_value = "XY", value_parser = plane)]
-    plane: Plane,
-    /// Feed along the path, mm/min: gives the servo mismatch as a time.
+    radius: Option<f64>,
+    /// The two axes: angles count from the first to the second; XY, or what a .b5r says.
+    #[arg(long, value_name = "AXES", value_parser = plane)]
+    plane: Option<Plane>,
+    /// Feed along the path, mm/min: gives the servo mismatch as a time. A .b5r may say it itself.
     #[arg(long, value_name = "MM/MIN", value_parser = number::feed, allow_negative_numbers = true)]
     feed: Option<f64>,
     /// Print one JSON object.
@@ -41,13 +46,31 @@ pub struct CircularArguments {
     picture: Picture,
 }
 
-fn plane(text: &str) -> Result<Plane, &'static str> {
+/// A plane by its axes.
+pub fn plane(text: &str) -> Result<Plane, &'static str> {
     Plane::named(text).ok_or("not a plane\n  expected two of the axes X, Y, Z, U, V, W, such as XY, YZ or ZX")
 }
 
 impl CircularArguments {
-    /// Reads, works out, prints.
-    pub fn run(self) -> Result<(), Refused> {
+    /// What is tested: one file with all it says, or a file of each direction.
+    fn test(&self) -> Result<Test, Refused> {
+        let radius = |of_file: Option<f64>| match self.radius.or(of_file) {
+            Some(mm) => Ok(Radius::new(mm)?),
+            None => Err(Refused::NoLength),
+        };
+        let feed = |of_file: Option<f64>| self.feed.or(of_file).map(|feed| feed / MINUTE);
+        if let Some(file) = &self.file {
+            let stated = Stated { plane: self.plane, ..Stated::default() };
+            let read = import(file, None, &Columns::default(), &stated).map_err(Refused::Run)?;
+            let Imported { about, traces } = read.imported;
+            let plane = self.plane.or(about.plane).unwrap_or_default();
+            return Ok(Test {
+                traces: paths(file, &traces)?,
+                radius: radius(about.bar_mm)?,
+                plane,
+                feed: feed(about.feed),
+            });
+        }
         let files = [&self.cw, &self.ccw];
         if let [Some(cw), Some(ccw)] = files
             && cw == ccw
@@ -55,14 +78,20 @@ impl CircularArguments {
             let same = "the same file as --cw\n  expected the readings of the other direction";
             return Err(Refused::Option("ccw", ccw.display().to_string(), same));
         }
-        let radius = Radius::new(self.radius)?;
+        let radius = radius(None)?;
         let trace = |file: &Option<PathBuf>| file.as_deref().map(|file| trace(file, radius)).transpose();
         let [cw, ccw] = files.map(trace);
-        let Some(traces) = Traces::of(cw?, ccw?) else { return Ok(()) };
-        let test = Test { traces, radius, plane: self.plane, feed: self.feed.map(|feed| feed / MINUTE) };
+        let traces = Traces::of(cw?, ccw?).ok_or(Refused::NoRuns)?;
+        Ok(Test { traces, radius, plane: self.plane.unwrap_or_default(), feed: feed(None) })
+    }
+
+    /// Reads, works out, prints.
+    pub fn run(self) -> Result<(), Refused> {
+        let test = self.test()?;
         let figures = circular(&test)?;
-        let title = format!("Circular test {}, R = {} mm", self.plane, radius.mm());
-        self.picture.draw(files.into_iter().flatten(), || Ok::<_, Refused>(picture(&test, &figures, &title).svg()?))?;
+        let title = format!("Circular test {}, R = {} mm", test.plane, test.radius.mm());
+        let files = [&self.file, &self.cw, &self.ccw].into_iter().flatten();
+        self.picture.draw(files, || Ok::<_, Refused>(picture(&test, &figures, &title).svg()?))?;
         for warning in figures.warnings() {
             say(format_args!("warning: {warning}"));
         }
@@ -74,6 +103,22 @@ fn trace(file: &Path, radius: Radius) -> Result<Trace, Refused> {
     let sweep = Sweep::read_circle(file, radius, 1).map_err(ObservationsError::from)?;
     let samples = sweep.samples().iter().map(|sample| (sample.angle_rad, sample.reading_mm));
     Trace::new(samples).map_err(|error| Refused::Trace(file.to_owned(), error))
+}
+
+/// The runs of one file, one in each direction at most.
+fn paths(file: &Path, runs: &[Run]) -> Result<Traces, Refused> {
+    let path = |direction| {
+        let mut own = runs.iter().filter(|run| run.direction == Some(direction));
+        let (run, more) = (own.next(), own.count());
+        if more > 0 {
+            return Err(Refused::Paths(file.to_owned(), format!("{} {direction} runs", more + 1)));
+        }
+        let samples = run.map(|run| run.kept().iter().map(|sample| (sample.angle_rad, sample.reading_mm)));
+        let trace = samples.map(Trace::new).transpose();
+        trace.map_err(|error| Refused::Trace(file.to_owned(), error))
+    };
+    let in_order = Traces::of(path(Direction::Clockwise)?, path(Direction::Counterclockwise)?);
+    in_order.ok_or_else(|| Refused::Paths(file.to_owned(), "samples in no order in time".to_owned()))
 }
 
 /// One object: the paths, both together, what is read from the trace, spikes, warnings.

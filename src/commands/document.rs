@@ -160,6 +160,7 @@ fn curve(c: &Curve) -> Value {
     };
     let object = json!({
         "name": c.name,
+        "location_error": c.is_location,
         "unit": c.unit.suffix(),
         "coordinate": c.coordinate,
         "coordinate_unit": c.coordinate_unit.suffix(),

@@ -5,7 +5,7 @@ use super::tabled::{LeftOut, Tabled};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use trunnion::export::{Constant, Facts, Format, Kept, Subject, Table, Verified, Warning, left, warnings};
-use trunnion::study::{COVERAGE, Fit, Report, Setup, coverage_factor};
+use trunnion::study::{COVERAGE, Fit, NotByDirection, Report, Setup, coverage_factor};
 
 /// A file that was written, and what is told of it.
 pub struct Exported<'a> {
@@ -33,7 +33,7 @@ pub struct OneExported<'a> {
     u95: f64,
     /// The hysteresis where it is largest: coordinate, forward less reverse, and the expanded uncertainty of that from noise, µm or
     /// µrad; or why the directions are not told apart.
-    hysteresis: Result<[f64; 3], &'a str>,
+    hysteresis: Result<[f64; 3], NotByDirection>,
     /// Rows that the control takes, at most.
     most_rows: Option<usize>,
     /// What was taken off all errors, µm or µrad.
@@ -59,7 +59,7 @@ impl<'a> OneExported<'a> {
         let (along, unit) = (table.subject.along, table.subject.quantity.deviation());
         let points =
             report.functions.iter().filter(|curve| curve.function == *function).flat_map(|curve| &curve.points);
-        let hysteresis = directions.as_ref().map_err(String::as_str).map(|by| {
+        let hysteresis = directions.as_ref().map_err(|why| *why).map(|by| {
             let factor = coverage_factor(Some(by.degrees_of_freedom));
             let at = |at: f64| {
                 let [difference, std] = by.hysteresis(setup, fit, along.to_inner(at));
@@ -88,8 +88,13 @@ impl<'a> OneExported<'a> {
         let (unit, along) = (quantity.deviation().symbol(), along.symbol());
         let directions = match &self.hysteresis {
             Ok([at, by, u95]) => format!(
-                "both; forward less reverse is at most {by:+.3} ± {u95:.3} {unit}, at {at} {along} (95 %, of noise alone; nothing \
-                 else is taken to turn with the direction)"
+                "{}; forward less reverse is at most {by:+.3} ± {u95:.3} {unit}, at {at} {along} (95 %, of noise alone; nothing else is \
+                 taken to turn with the direction)",
+                if self.table.both {
+                    "each its own"
+                } else {
+                    "their mean for both, as the format has one value, so that half stays"
+                }
             ),
             Err(why) => format!("the same for both: {why}"),
         };
@@ -126,7 +131,7 @@ impl<'a> OneExported<'a> {
             "to": grid.to(),
             "step": grid.step(),
             "both_directions": self.table.both,
-            "one_direction_because": self.hysteresis.as_ref().err(),
+            "not_told_apart": self.hysteresis.as_ref().err().map(ToString::to_string),
             "hysteresis": hysteresis.map(|[at, by, u95]| json!({ "at": at, "value": by, "u95_noise": u95 })),
             "taken_off": self.offset,
             "u95": self.u95,

@@ -1,13 +1,15 @@
 //! `trunnion import`: files of instruments and of other programs, made files for `fit`.
 
+use super::circular::plane;
 use super::output::print;
 use super::{Refused, number};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use trunnion::circular::{Direction, Plane};
 use trunnion::data::{Columns, Form, Guard, ImportedFile, Unit, import, native_files};
-use trunnion::import::{Cut, Feature, Plane, Stated, Trace, UnitFrom};
+use trunnion::import::{Cut, Feature, Stated, Trace, UnitFrom};
 
 /// Arguments of `import`.
 #[derive(Debug, Args)]
@@ -57,10 +59,6 @@ enum ReadingUnit {
     Um,
 }
 
-fn plane(text: &str) -> Result<Plane, &'static str> {
-    Plane::of(text).ok_or("not a plane\n  expected two of X, Y and Z, such as XY")
-}
-
 impl ImportArguments {
     /// Reads, writes, says what was done.
     pub fn run(self) -> Result<(), Refused> {
@@ -71,7 +69,7 @@ impl ImportArguments {
             let given = name.to_owned();
             return Err(Refused::Option("columns", given, "no column of a table\n  expected dr and the --angle"));
         }
-        let read = |file: &PathBuf| import(file, &self.angle, &columns, &stated);
+        let read = |file: &PathBuf| import(file, Some(&self.angle), &columns, &stated);
         let imported = self.files.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         self.effective(&imported)?;
         let files: Vec<(&Path, &ImportedFile)> = self.files.iter().map(PathBuf::as_path).zip(&imported).collect();
@@ -170,7 +168,7 @@ impl ImportArguments {
         json!({
             "file": self.out.join(name).display().to_string(),
             "picture": self.out.join(name).with_extension("svg").display().to_string(),
-            "direction": trace.direction.map(|way| way.to_string()),
+            "direction": trace.direction.map(Direction::short),
             "samples": kept.len(),
             "from_deg": kept.first().map(|sample| Unit::Deg.from_inner(sample.angle_rad)),
             "to_deg": kept.last().map(|sample| Unit::Deg.from_inner(sample.angle_rad)),

@@ -11,6 +11,7 @@ pub mod import;
 pub mod models;
 pub mod monte_carlo;
 pub mod new;
+pub mod pivots;
 pub mod plan;
 pub mod simulate;
 

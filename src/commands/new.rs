@@ -2,18 +2,17 @@
 
 use super::Refused;
 use super::model::ModelArguments;
-use super::number;
+use super::number::{self, length};
 use super::output::say;
 use super::stated::RangeArguments;
 use clap::Args;
 use std::path::{Path as FilePath, PathBuf};
 use trunnion::data::{Files, Guard, PROJECT};
-use trunnion::program::{Control, Program};
+use trunnion::program::{Control, Probing, Program};
 use trunnion::project::{self, Planned};
 use trunnion::study::plan::{Intended, predict};
-use trunnion::study::{Estimator, Path};
+use trunnion::study::{Estimator, Measurement, Path};
 use trunnion_codegen::catalogue;
-use trunnion_codegen::ids::RunId;
 use trunnion_codegen::problems::Named;
 use trunnion_codegen::quantity::Unit;
 
@@ -33,6 +32,13 @@ pub struct NewArguments {
     /// Degrees by which the NC programs go on beyond both ends of what is measured, where the axes can.
     #[arg(long, value_name = "DEG", default_value_t = 5.0, value_parser = number::beyond, allow_negative_numbers = true)]
     overshoot: f64,
+    /// Positions of a touch probe in each run that reads three displacements: its programs stop there and find a sphere's centre,
+    /// in place of a path for probes that read on the way.
+    #[arg(long, value_name = "N", value_parser = number::stops)]
+    positions: Option<usize>,
+    /// Half of the diameters of the sphere and of the touch probe's ball together, mm: how far their centres are apart at a touch.
+    #[arg(long, value_name = "MM", default_value_t = 15.0, value_parser = length, requires = "positions")]
+    touch_mm: f64,
     /// The folder.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -49,12 +55,27 @@ impl NewArguments {
             return Err(Refused::IsProject(self.model.model.unwrap_or(PROJECT.to_owned())));
         }
         let setup = self.model.setup(&source, |model| self.ranges.apply(model))?;
+        let probed = self.positions.is_some();
+        if probed && !setup.measurements().iter().any(Measurement::is_displacement) {
+            let given = self.positions.unwrap_or_default().to_string();
+            return Err(Refused::Option(
+                "positions",
+                given,
+                "no run reads three displacements\n  expected a model whose runs read \"xyz\"",
+            ));
+        }
         // What a standard deviation of 1 µm of the readings makes of each function.
-        let intended =
-            Intended { samples: SAMPLES, range: (0.0, std::f64::consts::TAU), sigma: Unit::Um.to_inner(1.0) };
+        let samples = self.positions.unwrap_or(SAMPLES);
+        let intended = Intended { samples, range: (0.0, std::f64::consts::TAU), sigma: Unit::Um.to_inner(1.0) };
         let prediction = predict(&setup, intended, Estimator::Joint)?;
-        let paths: Vec<(RunId, Path)> =
-            setup.model.runs.keys().map(|run| (run, setup.path(run, self.overshoot.to_radians()))).collect();
+        let path = |measurement: Measurement| {
+            let run = measurement.first()?;
+            let positions = self.positions.filter(|_| measurement.is_displacement());
+            let path = positions
+                .map_or_else(|| setup.path(run, self.overshoot.to_radians()), |count| setup.positions(run, count));
+            Some((measurement, path))
+        };
+        let paths: Vec<(Measurement, Path)> = setup.measurements().into_iter().filter_map(path).collect();
         let mut files = Files::default();
         let Named { name, text } = &source.described.model;
         // A model file comes along.
@@ -66,14 +87,22 @@ impl NewArguments {
                 file.into_owned()
             }
         };
-        let planned = Planned { setup: &setup, model: &model, prediction: &prediction, paths: &paths };
+        let planned = Planned { setup: &setup, model: &model, prediction: &prediction, paths: &paths, samples, probed };
         files.add(PROJECT, project::project(&planned));
         files.add("measuring-plan.md", project::plan(&planned));
-        for (run, path) in &paths {
-            let name = &setup.model.runs[*run].name;
-            let program = Program { name, title: &setup.model.title, path, rate: self.rate };
-            for control in Control::ALL {
-                match program.text(control) {
+        for (measurement, path) in &paths {
+            let (name, title) = (&measurement.name, &setup.model.title);
+            let probing = probed && measurement.is_displacement();
+            let text = |control: Control| {
+                if !probing {
+                    return Program { name, title, path, rate: self.rate }.text(control);
+                }
+                let sweep = setup.model.alphabet.sweep_name(setup.model.runs[measurement.first()?].sweep);
+                Probing { name, title, path, sweep, radius: self.touch_mm }.text(control)
+            };
+            for control in if probing { &[Control::LinuxCnc][..] } else { &Control::ALL } {
+                let control = *control;
+                match text(control) {
                     Some(text) => files.add(project::program_file(name, control), text),
                     None => {
                         say(format_args!("note: no program of {name} for {}: the names of its axes", control.name()))

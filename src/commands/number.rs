@@ -52,6 +52,11 @@ pub fn goal(text: &str) -> Result<f64, String> {
     within(text, Some(0.0), 0.0..=1e6, "an uncertainty in µrad or µm, e.g. 2,")
 }
 
+/// Positions at which something is probed.
+pub fn stops(text: &str) -> Result<usize, String> {
+    within(text, None, 3..=1000, "a number of positions")
+}
+
 /// A feed that there is, mm/min.
 pub fn feed(text: &str) -> Result<f64, String> {
     within(text, Some(0.0), 0.0..=1e6, "a feed in mm/min")

@@ -10,7 +10,7 @@ use trunnion::circular::{CircularError, TraceError};
 use trunnion::data::{
     FileError, FileProblem, NativeError, ObservationsError, ProjectError, RadiusError, TextError, WriteError,
 };
-use trunnion::export::{GridError, NoAxis, NoPlace};
+use trunnion::export::{GridError, NoAxis, NoPivots, NoPlace};
 use trunnion::history::HistoryError;
 use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
@@ -43,6 +43,14 @@ pub enum Refused {
     Circular(#[from] CircularError),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Trace(PathBuf, TraceError),
+    #[error(
+        "{file}: {what}\n  expected one run in each direction, or one: `trunnion import` divides a file, --cw and --ccw take its parts",
+        file = .0.display(),
+        what = .1
+    )]
+    Paths(PathBuf, String),
+    #[error("no length of the ball-bar\n  expected --radius MM, or a .b5r that says it")]
+    NoLength,
     #[error(transparent)]
     Report(#[from] ReportError),
     #[error("{}", setup(.0))]
@@ -131,6 +139,12 @@ pub enum Refused {
     NotBoth(String),
     #[error("--{0} has no effect on {1}: {2}\n  expected it left out")]
     Idle(&'static str, &'static str, &'static str),
+    #[error("{0}")]
+    Pivots(#[from] NoPivots),
+    #[error(
+        "{0} is a location error: the same everywhere\n  expected --format volcomp or etalon, or `trunnion pivots`"
+    )]
+    IsLocation(String),
     #[error("{0}")]
     Grid(#[from] GridError),
     #[error(transparent)]

@@ -4,7 +4,7 @@ use super::Refused;
 use super::measured::Measured;
 use trunnion::data::{Recorded, Unit};
 use trunnion::export::{Constant, Grid, Subject, Table};
-use trunnion::study::{ByDirection, Covered, Failing, Fit, Observation, Setup, by_direction};
+use trunnion::study::{ByDirection, Covered, Failing, Fit, NotByDirection, Observation, Setup, by_direction};
 use trunnion_codegen::algebra::ErrorId;
 use trunnion_codegen::identify::{Extent, Origin};
 use trunnion_codegen::ids::{BaseId, FunctionId};
@@ -36,29 +36,33 @@ pub struct Asked<'a> {
 /// A function that is not determined: its name, and how far it is.
 pub type LeftOut = (String, String);
 
+/// What tells the directions of a function apart.
+pub type Directions = Result<ByDirection, NotByDirection>;
+
 /// A table, and what it is made of.
 pub struct Tabled {
     pub function: FunctionId,
     pub table: Table,
     /// What tells the directions apart, or why nothing does.
-    pub directions: Result<ByDirection, String>,
+    pub directions: Directions,
     /// What was taken off all its errors, mm or rad.
     pub offset: f64,
 }
 
 impl Tabled {
-    /// The errors in either direction at a coordinate in degrees or mm; mm or rad.
+    /// The errors in either direction at a coordinate in degrees or mm, the mean of both where the table has one value; mm or rad.
     pub fn error(&self, setup: &Setup, fit: &Fit, at: f64) -> [f64; 2] {
         let x = self.table.subject.along.to_inner(at);
-        error(setup, fit, self.function, &self.directions, x).map(|error| error - self.offset)
+        error(setup, fit, self.function, &self.directions, self.table.both, x).map(|error| error - self.offset)
     }
 }
 
-fn error(setup: &Setup, fit: &Fit, function: FunctionId, directions: &Result<ByDirection, String>, x: f64) -> [f64; 2] {
-    match directions {
+fn error(setup: &Setup, fit: &Fit, function: FunctionId, directions: &Directions, both: bool, x: f64) -> [f64; 2] {
+    let errors = match directions {
         Ok(own) => own.at(setup, fit, x),
         Err(_) => [fit.function(setup, function, x).0; 2],
-    }
+    };
+    if both { errors } else { [(errors[0] + errors[1]) / 2.0; 2] }
 }
 
 impl Asked<'_> {
@@ -66,8 +70,11 @@ impl Asked<'_> {
     pub fn functions(&self, setup: &Setup) -> Result<Vec<FunctionId>, Refused> {
         let all: Vec<FunctionId> = setup.estimated().collect();
         let names = || all.iter().map(|f| setup.function_name(*f)).collect::<Vec<_>>().join(", ");
+        let is_location = |f: &FunctionId| setup.model.functions[*f].basis.is_one();
         let functions = match self.function {
-            None if self.all || all.len() == 1 => all,
+            // Location errors are constants of their own.
+            None if self.all => all.iter().copied().filter(|f| !is_location(f)).collect(),
+            None if all.len() == 1 => all,
             None => return Err(Refused::Which(names())),
             Some(wanted) => {
                 let is = |function: &&FunctionId| {
@@ -81,6 +88,9 @@ impl Asked<'_> {
                 vec![found.ok_or_else(|| Refused::NotEstimated(wanted.to_owned(), names()))?]
             }
         };
+        if let Some(location) = functions.iter().find(|f| is_location(f)) {
+            return Err(Refused::IsLocation(setup.function_name(*location)));
+        }
         let units = functions.iter().map(|f| Ok(Subject::new(setup, *f, None)?.along));
         self.effective(&units.collect::<Result<Vec<Unit>, Refused>>()?)?;
         Ok(functions)
@@ -120,6 +130,8 @@ impl Asked<'_> {
             }
         }
         match tables.is_empty() {
+            // Of a model that estimates location errors alone these are what is written.
+            true if self.all && estimates_locations(&measured.setup) => Ok((tables, left_out)),
             true => Err(Refused::NothingDetermined(
                 left_out.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", "),
             )),
@@ -146,12 +158,13 @@ impl Asked<'_> {
             return Err(not_measured("home", &zero.to_string(), &covered, unit));
         }
         let directions = self.directions(setup, recorded, fit, function)?;
+        let both = self.both && directions.is_ok();
+        let plain = |at: f64| error(setup, fit, function, &directions, both, unit.to_inner(at));
         let offset = self.zero.map_or(0.0, |zero| {
-            let [forward, reverse] = error(setup, fit, function, &directions, unit.to_inner(zero));
+            let [forward, reverse] = plain(zero);
             (forward + reverse) / 2.0
         });
-        let at = |at: f64| error(setup, fit, function, &directions, unit.to_inner(at)).map(|error| error - offset);
-        let table = Table::new(subject, grid, directions.is_ok(), at);
+        let table = Table::new(subject, grid, both, |at| plain(at).map(|error| error - offset));
         Ok(Tabled { function, table, directions, offset })
     }
 
@@ -180,25 +193,23 @@ impl Asked<'_> {
         })
     }
 
-    /// Tells the directions apart, where both were measured and the format has a place for them.
+    /// Tells the directions apart, where both were measured.
     fn directions(
         &self,
         setup: &Setup,
         recorded: &[Recorded],
         fit: &Fit,
         function: FunctionId,
-    ) -> Result<Result<ByDirection, String>, Refused> {
-        let told = match self.both {
-            false => Err("the format has one table for both".to_owned()),
-            true => match by_direction(setup, recorded, fit, function) {
-                Ok(own) => Ok(own),
-                Err(Failing::Not(why)) => Err(why.to_string()),
-                Err(Failing::Recording(error)) => return Err(Measured::unreadable(error)),
-            },
+    ) -> Result<Directions, Refused> {
+        let directions = match by_direction(setup, recorded, fit, function) {
+            Ok(own) => Ok(own),
+            Err(Failing::Not(why)) => Err(why),
+            Err(Failing::Recording(error)) => return Err(Measured::unreadable(error)),
         };
-        match told {
-            Err(why) if self.demanded => Err(Refused::NotBoth(why)),
-            told => Ok(told),
+        match directions {
+            _ if self.demanded && !self.both => Err(Refused::NotBoth("the format has one value for both".to_owned())),
+            Err(why) if self.demanded => Err(Refused::NotBoth(why.to_string())),
+            directions => Ok(directions),
         }
     }
 
@@ -210,7 +221,13 @@ impl Asked<'_> {
             let name = location(setup, error).filter(|_| setup.derivation.is_alone(base))?;
             Some((name, fit.values[at] / setup.number(factor)))
         };
-        fit.base.iter().enumerate().filter_map(constant).collect()
+        let mut constants: Vec<Constant> = fit.base.iter().enumerate().filter_map(constant).collect();
+        let estimated = setup.estimated().filter(|f| setup.model.functions[*f].basis.is_one());
+        for function in estimated.filter(|f| determined(setup, fit, *f).is_ok()) {
+            let name = location(setup, setup.model.functions[function].error);
+            constants.extend(name.map(|name| (name, fit.function(setup, function, 0.0).0)));
+        }
+        constants
     }
 }
 
@@ -220,6 +237,10 @@ fn location(setup: &Setup, error: ErrorId) -> Option<String> {
         let at = axis.location.iter().position(|own| *own == Some(error))?;
         Some(iso_location(Component::ALL[at], &axis.name).trim_start_matches('E').to_owned())
     })
+}
+
+fn estimates_locations(setup: &Setup) -> bool {
+    setup.estimated().any(|f| setup.model.functions[f].basis.is_one())
 }
 
 fn not_measured(option: &'static str, given: &str, covered: &Covered, unit: Unit) -> Refused {

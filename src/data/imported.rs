@@ -35,11 +35,12 @@ pub struct ImportedFile {
     pub imported: Imported,
 }
 
-/// Reads the file of an instrument, or a table with columns `<angle>` and `dr` under these names, into its runs.
+/// Reads the file of an instrument, or a table with columns `<angle>` and `dr` under these names, into its runs; a table's angle
+/// may be called anything where no `angle` is given.
 ///
 /// # Errors
 /// [`FileError`] where the file cannot be read, is no such file, or does not say enough and neither does what is stated.
-pub fn import(file: &Path, angle: &str, columns: &Columns, stated: &Stated) -> Result<ImportedFile, FileError> {
+pub fn import(file: &Path, angle: Option<&str>, columns: &Columns, stated: &Stated) -> Result<ImportedFile, FileError> {
     let fail = |problem| FileError { file: file.to_owned(), problem };
     let stamping = Stamping::default();
     let stamped = |source| Box::new(stamping.reader(source));
@@ -84,11 +85,11 @@ fn instrument(source: Box<dyn Read>, stated: &Stated) -> Result<Imported, FilePr
 fn table(
     file: &Path,
     source: io::Result<Box<dyn Read>>,
-    angle: &str,
+    angle: Option<&str>,
     names: &Columns,
     stated: &Stated,
 ) -> Result<Imported, FileError> {
-    let columns = RunColumns { angle: Some(angle), reading: READING, others: &[], names, bar_mm: None, least: 2 };
+    let columns = RunColumns { angle, reading: READING, others: &[], names, bar_mm: None, least: 2 };
     let lines = Lines::from(file, source, &columns.wanted())?;
     let unit = lines.columns().get(1).and_then(Column::unit).unwrap_or(Unit::Um);
     let mut samples = Vec::new();

@@ -71,7 +71,8 @@ pub fn native_files(
 fn run_names(path: &Path, traces: &[Trace]) -> Vec<String> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let stem = if stem == "-" { "run".into() } else { stem };
-    let way = |trace: &Trace| trace.direction.map_or_else(String::new, |way| format!("-{way}").to_lowercase());
+    let way =
+        |trace: &Trace| trace.direction.map_or_else(String::new, |way| format!("-{}", way.short()).to_lowercase());
     let name = |(at, trace): (usize, &Trace)| {
         let alike = |others: &[Trace]| others.iter().filter(|other| other.direction == trace.direction).count();
         let number = if alike(traces) > 1 { format!("-{}", 1 + alike(&traces[..at])) } else { String::new() };

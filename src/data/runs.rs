@@ -17,9 +17,6 @@ use trunnion_codegen::ids::RunId;
 const CHANNELS: [&str; 3] = ["dx", "dy", "dz"];
 /// Those beside each of them.
 const OTHERS: [&[&str]; 3] = [&["dy", "dz"], &["dx", "dz"], &["dx", "dy"]];
-/// How the runs of three displacements end.
-const ENDINGS: [&str; 3] = ["-x", "-y", "-z"];
-
 /// The files of every run of a model: one for each time that it was measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RunFiles {
@@ -41,13 +38,13 @@ impl RunFiles {
     /// # Errors
     /// [`ObservationsError`] for a run that is unknown or missing.
     pub fn new<P: AsRef<Path>>(setup: &Setup, given: &[(&str, P)]) -> Result<Self, ObservationsError> {
-        let mut files = Vec::new();
+        let (mut files, measurements) = (Vec::new(), setup.measurements());
         for (run, file) in given {
-            let channels: Vec<RunId> = ENDINGS.iter().filter_map(|end| setup.run(&format!("{run}{end}"))).collect();
-            let runs = match setup.run(run) {
-                Some(run) => vec![(run, READING)],
-                None if channels.len() == CHANNELS.len() => channels.into_iter().zip(CHANNELS).collect(),
-                None => return Err(ObservationsError::unknown_run(setup, run)),
+            let displaced = measurements.iter().find(|m| m.name == *run && m.is_displacement());
+            let runs = match (setup.run(run), displaced) {
+                (Some(run), _) => vec![(run, READING)],
+                (None, Some(all)) => all.runs.iter().copied().zip(CHANNELS).collect(),
+                (None, None) => return Err(ObservationsError::unknown_run(setup, run)),
             };
             files
                 .extend(runs.into_iter().map(|(run, column)| (run, Source { file: file.as_ref().to_owned(), column })));
@@ -109,6 +106,7 @@ impl RunFiles {
         table: Option<&Rc<KnownTable>>,
     ) -> Result<Vec<Recorded<'a>>, FileError> {
         let (described, derived) = (&setup.model.runs[run], &setup.derivation.runs[run]);
+        let together = setup.measured_with(run);
         let columns = RunColumns {
             angle: Some(setup.model.alphabet.sweep_name(described.sweep)),
             reading: source.column,
@@ -118,7 +116,7 @@ impl RunFiles {
             },
             names: &self.columns,
             bar_mm: setup.bar(run),
-            least: derived.regressors.len() + 1,
+            least: setup.unknowns(&together).div_ceil(together.len()) + 1,
         };
         let table = table.filter(|_| !derived.known.is_empty());
         let known = || table.map_or_else(KnownAlong::default, |table| table.along(setup, run));

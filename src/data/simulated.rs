@@ -91,14 +91,22 @@ fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated) -> Truth
         let coordinate = format!("{}_{of}", axis.coordinate);
         Some(TruthFunction { name: setup.function_name(f), unit, coordinate, points })
     };
+    let located = |f: &FunctionId| setup.model.functions[*f].basis.is_one();
     let names = setup.derivation.base.iter().map(|b| b.name.clone());
+    let mut constants: Vec<(String, f64)> = names.zip(simulated.machine.base(setup)).collect();
+    for function in setup.estimated().filter(located) {
+        let name = setup.function_name(function);
+        if constants.iter().all(|(own, _)| *own != name) {
+            constants.push((name, simulated.machine.value(setup.model.functions[function].error, 0.0)));
+        }
+    }
     Truth {
         seed: simulation.seed,
         radius_mm: setup.radius(),
         samples: simulation.samples,
         noise_um: simulation.noise_um,
         range_deg: simulation.range_deg,
-        functions: setup.estimated().filter_map(function).collect(),
-        constants: names.zip(simulated.machine.base(setup)).collect(),
+        functions: setup.estimated().filter(|f| !located(f)).filter_map(function).collect(),
+        constants,
     }
 }

@@ -11,6 +11,7 @@ mod grid;
 mod heidenhain;
 mod iso;
 mod linuxcnc;
+mod pivots;
 mod plain;
 mod sinumerik;
 mod table;
@@ -21,6 +22,9 @@ pub use facts::{Between, Ends, Facts, Verified};
 pub use format::{AllFormat, Format, OneFormat};
 pub use grid::{Grid, GridError};
 pub use iso::Constant;
+pub use pivots::{
+    Located, NoPivots, linuxcnc as linuxcnc_pivots, located, sinumerik as sinumerik_pivots, words as pivot_words,
+};
 pub use table::{NoAxis, Subject, Table, TakenOff};
 pub use warning::{Warning, warnings};
 pub use written::{Kept, Written, left};

@@ -8,10 +8,10 @@ use roxmltree::Node;
 use super::arc::Arc;
 use super::error::{FEWEST, ImportProblem, Inconclusive, NoArc, Wrong};
 use super::feed::feed_arcs;
-use super::plane::Plane;
-use super::trace::{About, AnglesFrom, Cut, Direction, Feature, Imported, Stated, Trace, TraceSample, UnitFrom};
+use super::trace::{About, AnglesFrom, Cut, Feature, Imported, Stated, Trace, TraceSample, UnitFrom};
 use super::unit::{circularity, unit};
 use super::xml::{Xml, attribute, clean, first, text};
+use crate::circular::{Direction, Plane};
 use crate::data::limits::SAMPLES;
 use trunnion_codegen::quantity::Unit;
 
@@ -88,16 +88,16 @@ fn plane(xml: &Xml, root: Node, stated: &Stated) -> Result<Option<Plane>, Import
     let Some(node) = first(root, "PLANE") else { return Ok(stated.plane) };
     let Some(name) = node.attribute("TEST_PLANE").and_then(clean) else { return Ok(stated.plane) };
     let line = xml.line(node);
-    let plane = Plane::of(&name).ok_or_else(|| Wrong::NoPlane(name).at(line))?;
+    let plane = Plane::named(&name).ok_or_else(|| Wrong::NoPlane(name).at(line))?;
     if let (Some(a), Some(b)) = (text(node, "A_AXIS_NAME"), text(node, "B_AXIS_NAME")) {
         // An axis may have a number: X1.
         let letters: String = [&a, &b].iter().filter_map(|axis| axis.chars().next()).collect();
-        if Plane::of(&letters) != Some(plane) {
+        if !Plane::named(&letters).is_some_and(|axes| axes.is_along(plane)) {
             return Err(Wrong::Axes { plane, axes: format!("{a} and {b}") }.at(line));
         }
     }
     match stated.plane {
-        Some(stated) if stated != plane => Err(Wrong::OtherPlane { found: plane, stated }.at(line)),
+        Some(stated) if !stated.is_along(plane) => Err(Wrong::OtherPlane { found: plane, stated }.at(line)),
         _ => Ok(Some(plane)),
     }
 }
@@ -119,8 +119,8 @@ fn run(xml: &Xml, node: Node, number: usize) -> Result<Run, ImportProblem> {
     let line = xml.line(node);
     let direction = text(node, "RUN_DIRECTION").unwrap_or_default();
     let direction = match direction.to_uppercase().as_str() {
-        "CCW" => Direction::Ccw,
-        "CW" => Direction::Cw,
+        "CCW" => Direction::Counterclockwise,
+        "CW" => Direction::Clockwise,
         _ => {
             return Err(
                 Wrong::Direction(direction).at(first(node, "RUN_DIRECTION").map_or(line, |node| xml.line(node)))
@@ -225,7 +225,7 @@ fn trace(
     let count = readings.len() - begin - end;
     let sample = |(at, reading): (usize, &f64)| {
         let along = at as f64 - begin as f64;
-        let along = if direction == Direction::Ccw { along } else { (count - 1) as f64 - along };
+        let along = if direction == Direction::Counterclockwise { along } else { (count - 1) as f64 - along };
         TraceSample { angle_rad: arc.angle_rad(along, count), reading_mm: unit.to_inner(*reading), line }
     };
     let mut trace = Trace {

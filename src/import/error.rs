@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::plane::Plane;
+use crate::circular::Plane;
 use crate::data::limits::{INSTRUMENT, NAMESPACES, NODES, SAMPLES, TAG};
 
 /// Fewest readings of a run: fewer are no circle.

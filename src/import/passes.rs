@@ -1,7 +1,7 @@
 //! Samples in the order of time, divided where the way along the circle begins again.
 
 use std::f64::consts::{PI, TAU};
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use trunnion_codegen::kinematics::Headings;
 
@@ -37,9 +37,9 @@ pub(super) fn passes(angles: &[f64]) -> Option<Vec<(Range<usize>, bool)>> {
             pass = Pass::begin(at);
         } else if let Some(turn) = pass.go(at, by) {
             found.push(pass.end(turn));
-            // The farthest place belongs to the way there.
+            // The farthest place belongs to the way there, or half of the samples at it.
             let back = angles[turn - 1..=at].windows(2).map(step).sum();
-            pass = Pass { begin: turn, along: back, farthest: (back, at) };
+            pass = Pass { begin: turn, along: back, farthest: (back, at..=at) };
         }
     }
     found.push(pass.end(angles.len()));
@@ -51,30 +51,33 @@ struct Pass {
     begin: usize,
     /// How far it is from where it began, rad.
     along: f64,
-    /// The farthest so far, and where that was.
-    farthest: (f64, usize),
+    /// The farthest so far, and the samples that were there.
+    farthest: (f64, RangeInclusive<usize>),
 }
 
 impl Pass {
     fn begin(at: usize) -> Self {
-        Self { begin: at, along: 0.0, farthest: (0.0, at) }
+        Self { begin: at, along: 0.0, farthest: (0.0, at..=at) }
     }
 
     /// Goes on by a step to a sample; where it began to go back, if it does.
     fn go(&mut self, at: usize, by: f64) -> Option<usize> {
         self.along += by;
-        let (farthest, _) = self.farthest;
+        let (farthest, there) = self.farthest.clone();
         let on = self.along * farthest.signum();
         if on >= farthest.abs() {
-            self.farthest = (self.along, at);
+            let from = if self.along == farthest { *there.start() } else { at };
+            self.farthest = (self.along, from..=at);
             return None;
         }
         if farthest.abs() <= TREMBLE {
             // The direction is not decided yet.
-            self.farthest = if self.along.abs() > farthest.abs() { (self.along, at) } else { self.farthest };
+            if self.along.abs() > farthest.abs() {
+                self.farthest = (self.along, at..=at);
+            }
             return None;
         }
-        (farthest.abs() - on > TREMBLE).then_some(self.farthest.1 + 1)
+        (farthest.abs() - on > TREMBLE).then_some(there.start() + (there.end() - there.start()) / 2 + 1)
     }
 
     fn end(&self, at: usize) -> (Range<usize>, bool) {
@@ -97,9 +100,9 @@ mod tests {
         let divided = |angles: Vec<f64>| passes(&angles);
         assert_eq!(divided(degrees(there())), Some(vec![(0..221, true)]));
         assert_eq!(divided(degrees(back())), Some(vec![(0..221, false)]));
-        assert_eq!(divided(degrees(there().chain(back()))), Some(vec![(0..222, true), (222..442, false)]));
+        assert_eq!(divided(degrees(there().chain(back()))), Some(vec![(0..221, true), (221..442, false)]));
         let again = divided(degrees(there().chain(there()).chain(back())));
-        assert_eq!(again, Some(vec![(0..221, true), (221..443, true), (443..663, false)]));
+        assert_eq!(again, Some(vec![(0..221, true), (221..442, true), (442..663, false)]));
         // A whole turn that begins again goes on.
         assert_eq!(divided(degrees((0..360).chain(0..360))), Some(vec![(0..720, true)]));
         // Trembling before it sets off, and where it waits.

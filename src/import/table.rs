@@ -5,7 +5,8 @@ use std::ops::Range;
 use super::error::{FEWEST, ImportProblem, Wrong};
 use super::feed::feed_arcs;
 use super::passes::passes;
-use super::trace::{AnglesFrom, Cut, Direction, Stated, Trace, TraceSample, UnitFrom};
+use super::trace::{AnglesFrom, Cut, Stated, Trace, TraceSample, UnitFrom};
+use crate::circular::Direction;
 use trunnion_codegen::quantity::Unit;
 
 /// Divides samples in the order of time into passes along the circle, each trimmed to the arc that is stated; samples in no
@@ -16,7 +17,7 @@ use trunnion_codegen::quantity::Unit;
 pub fn by_passes(samples: &[TraceSample], unit: Unit, stated: &Stated) -> Result<Vec<Trace>, ImportProblem> {
     let angles: Vec<f64> = samples.iter().map(|sample| sample.angle_rad).collect();
     let ordered = passes(&angles);
-    let direction = |grows: bool| Some(if grows { Direction::Ccw } else { Direction::Cw });
+    let direction = |grows: bool| Some(if grows { Direction::Counterclockwise } else { Direction::Clockwise });
     let parts = match ordered {
         Some(passes) => passes.into_iter().map(|(range, grows)| (range, direction(grows))).collect(),
         None => vec![(0..samples.len(), None)],

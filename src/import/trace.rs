@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::arc::Arc;
 use super::error::{ImportProblem, Wrong};
-use super::plane::Plane;
+use crate::circular::{Direction, Plane};
 use trunnion_codegen::quantity::Unit;
 
 /// What is stated where the file does not say it.
@@ -132,15 +132,6 @@ pub struct Cut {
     pub overshoot: [usize; 2],
 }
 
-/// Which way a run goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// Counter-clockwise: the angle grows.
-    Ccw,
-    /// Clockwise.
-    Cw,
-}
-
 /// Where the unit of readings is from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum UnitFrom {
@@ -199,7 +190,7 @@ impl Trace {
     /// What it is in a few words: which way, from where to where, the unit and the angles and where they are from, what was
     /// trimmed.
     pub fn told(&self) -> Vec<(&'static str, String)> {
-        let way = self.direction.map_or_else(|| "in no order in time".to_owned(), |way| way.to_string());
+        let way = self.direction.map_or_else(|| "in no order in time".to_owned(), |way| way.short().to_owned());
         let kept = self.kept();
         let ends = kept.first().zip(kept.last());
         let degrees = |angle: f64| format!("{}°", Unit::Deg.decimal(angle + 0.0).trim_end_matches(".0"));
@@ -210,15 +201,6 @@ impl Trace {
             ("angles", self.angles_from.to_string()),
             ("trimmed", self.cut.to_string()),
         ]
-    }
-}
-
-impl fmt::Display for Direction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Ccw => "CCW",
-            Self::Cw => "CW",
-        })
     }
 }
 

@@ -1,11 +1,15 @@
 //! NC programs of runs: the path in short straight blocks, there and back, each with its feed-in and feed-out.
 //!
+//! [`Probing`] are programs that stop at each position and touch a sphere there.
+//!
 //! Every block takes as long as every other, so that the sweep goes at a constant rate, which is what an angle is inferred from
 //! where an instrument records none. Coordinates are the model's own: a person sets the zero point where the model has it.
 
 mod control;
+mod probing;
 
 pub use control::Control;
+pub use probing::Probing;
 
 use crate::study::Path;
 use std::fmt::Write;

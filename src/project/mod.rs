@@ -10,8 +10,7 @@ pub use toml::project;
 
 use crate::program::Control;
 use crate::study::plan::Prediction;
-use crate::study::{Path, Setup};
-use trunnion_codegen::ids::RunId;
+use crate::study::{Measurement, Path, Setup};
 
 /// A measurement as it is planned.
 #[derive(Clone, Copy, Debug)]
@@ -22,18 +21,26 @@ pub struct Planned<'a> {
     pub model: &'a str,
     /// What the runs give where a reading's standard deviation is 1 µm.
     pub prediction: &'a Prediction,
-    /// How the axes move in each run.
-    pub paths: &'a [(RunId, Path)],
+    /// How the axes move in each measurement.
+    pub paths: &'a [(Measurement, Path)],
+    /// Readings of each that the prediction is for.
+    pub samples: usize,
+    /// Whether a touch probe finds a sphere at each position.
+    pub probed: bool,
 }
 
 impl Planned<'_> {
-    fn name(&self, run: RunId) -> &str {
-        &self.setup.model.runs[run].name
+    /// The files of a measurement's readings: there, and back; one of a probe's.
+    fn readings(&self, measurement: &Measurement) -> Vec<String> {
+        let name = &measurement.name;
+        if self.is_probed(measurement) {
+            return vec![format!("{name}.csv")];
+        }
+        ["there", "back"].map(|way| format!("{name}-{way}.csv")).into()
     }
 
-    /// The files of a run's readings: there, and back.
-    fn readings(&self, run: RunId) -> [String; 2] {
-        ["there", "back"].map(|way| format!("{}-{way}.csv", self.name(run)))
+    fn is_probed(&self, measurement: &Measurement) -> bool {
+        self.probed && measurement.is_displacement()
     }
 }
 

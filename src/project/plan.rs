@@ -2,10 +2,9 @@
 
 use super::{Planned, program_file};
 use crate::program::Control;
-use crate::study::Path;
 use crate::study::plan::Predicted;
+use crate::study::{Measurement, Path};
 use std::fmt::Write;
-use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::{AxisKind, Ball};
 use trunnion_codegen::problems::visible;
 use trunnion_codegen::quantity::Unit;
@@ -17,10 +16,14 @@ pub fn plan(planned: &Planned) -> String {
     let lengths: Vec<String> =
         setup.model.alphabet.constants().map(|name| format!("{name} = {} mm", setup.constant(name))).collect();
     let _ = writeln!(out, "Set-up: {}. The model is `{}`.\n", cell(&lengths.join(", ")), cell(planned.model));
-    out += "## What the runs give\n\n\
-            The valuation number is the standard deviation of a function, where it is largest, for each µm of the standard \
-            deviation\nof a reading, with 360 readings a run. Noise alone is in it: the report of `trunnion fit` has the other \
-            sources.\n\n| function | valuation number | what is determined |\n|---|---:|---|\n";
+    let _ = write!(
+        out,
+        "## What the runs give\n\n\
+         The valuation number is the standard deviation of a function, where it is largest, for each µm of the standard \
+         deviation\nof a reading, with {} readings a run. Noise alone is in it: the report of `trunnion fit` has the other \
+         sources.\n\n| function | valuation number | what is determined |\n|---|---:|---|\n",
+        planned.samples
+    );
     for function in &planned.prediction.functions {
         let name = setup.function_name(function.function);
         let _ =
@@ -28,21 +31,38 @@ pub fn plan(planned: &Planned) -> String {
     }
     out += "\n## The runs, in this order\n\n\
             Warm the machine up. Where the placing is the same as before, leave the balls where they are: the model counts on \
-            it.\nEach run goes there and back; the coordinates are the model's, whose zero point is to be set as work offset.\n\n";
+            it.\n";
+    if planned.paths.iter().any(|(measurement, _)| !planned.is_probed(measurement)) {
+        out += "Each run goes there and back. ";
+    }
+    out += "The coordinates are the model's, whose zero point is to be set as work offset.\n\n";
     let mut before = None;
-    for (at, (run, path)) in ordered(planned).into_iter().enumerate() {
-        let own = placing(planned, run);
-        out += &one(planned, at, run, path, before == Some(own));
-        before = Some(own);
+    for (at, (measurement, path)) in ordered(planned).into_iter().enumerate() {
+        let own = placing(planned, measurement);
+        out += &one(planned, at, measurement, path, before.is_some() && before == own);
+        before = own;
     }
     out += "\n## Afterwards\n\nPut the readings into the files named above, beside `trunnion.toml`, and enter there what is known \
-            of machine and\ninstrument. Then, in this folder:\n\n    trunnion fit\n\n\
-            The NC programs move in straight blocks that all take the same time, so that the sweep goes at a constant rate. They \
+            of machine and\ninstrument. Then, in this folder:\n\n    trunnion fit\n\n";
+    if planned.probed {
+        out += PROBED;
+    }
+    if planned.paths.iter().any(|(measurement, _)| !planned.is_probed(measurement)) {
+        out += DRIVEN;
+    }
+    out
+}
+
+/// Of programs that touch a sphere.
+const PROBED: &str = "The NC programs touch the sphere from above and from four sides at each position, and write the displacements \
+                      themselves.\nThey were run in LinuxCNC's simulation, not on a machine: see that neither the sphere's stem nor \
+                      anything else is in the way.\n";
+
+/// Of programs that follow a path.
+const DRIVEN: &str = "The NC programs move in straight blocks that all take the same time, so that the sweep goes at a constant rate. They \
             were\nnot run on a machine, and for SINUMERIK, Heidenhain and Fanuc not read by a control either: prove them without the \
             bar. The\nHeidenhain programs have no time for a block but a feed for its way, which a control may take differently \
             where rotary and\nlinear axes move together.\n";
-    out
-}
 
 /// Degrees, or µm, for each µm.
 fn valuation(planned: &Planned, function: &Predicted) -> String {
@@ -54,33 +74,36 @@ fn valuation(planned: &Planned, function: &Predicted) -> String {
 }
 
 /// Runs of one placing together, in the order in which the placings come first.
-fn ordered<'a>(planned: &Planned<'a>) -> Vec<(RunId, &'a Path)> {
+fn ordered<'a>(planned: &Planned<'a>) -> Vec<(&'a Measurement, &'a Path)> {
     let mut placings = Vec::new();
-    let mut runs: Vec<(usize, RunId, &Path)> = Vec::new();
-    for (run, path) in planned.paths {
-        let own = placing(planned, *run);
+    let mut runs: Vec<(usize, &Measurement, &Path)> = Vec::new();
+    for (measurement, path) in planned.paths {
+        let own = placing(planned, measurement);
         let at = placings.iter().position(|placing| *placing == own).unwrap_or_else(|| {
             placings.push(own);
             placings.len() - 1
         });
-        runs.push((at, *run, path));
+        runs.push((at, measurement, path));
     }
-    runs.sort_by_key(|(placing, run, _)| (*placing, *run));
-    runs.into_iter().map(|(_, run, path)| (run, path)).collect()
+    runs.sort_by_key(|(placing, measurement, _)| (*placing, measurement.first()));
+    runs.into_iter().map(|(_, measurement, path)| (measurement, path)).collect()
 }
 
 /// What a placing is known by: the errors of where its balls are.
-fn placing<'a>(planned: &Planned<'a>, run: RunId) -> [&'a Ball; 2] {
-    let run = &planned.setup.model.runs[run];
-    [&run.workpiece_ball, &run.tool_ball]
+fn placing<'a>(planned: &Planned<'a>, measurement: &Measurement) -> Option<[&'a Ball; 2]> {
+    let run = &planned.setup.model.runs[measurement.first()?];
+    Some([&run.workpiece_ball, &run.tool_ball])
 }
 
-fn one(planned: &Planned, at: usize, run: RunId, path: &Path, as_before: bool) -> String {
-    let setup = planned.setup;
-    let name = planned.name(run);
+fn one(planned: &Planned, at: usize, measurement: &Measurement, path: &Path, as_before: bool) -> String {
+    let (setup, name) = (planned.setup, &measurement.name);
     let [from, to] = path.measured.map(f64::to_degrees);
     let mut out = format!("### {}. {}\n\n", at + 1, cell(name));
-    match setup.bar(run) {
+    match measurement.first().and_then(|run| setup.bar(run)) {
+        None if planned.is_probed(measurement) => {
+            let positions = path.sweeps.len();
+            let _ = writeln!(out, "* A sphere probed at {positions} positions, sweep {from:.1}° to {to:.1}°.");
+        }
         Some(bar) => {
             let _ = writeln!(out, "* Bar of {bar} mm, sweep {from:.1}° to {to:.1}°.");
         }
@@ -102,13 +125,11 @@ fn one(planned: &Planned, at: usize, run: RunId, path: &Path, as_before: bool) -
         let (low, high) = (format!("{:.2}", low + 0.0), format!("{:.2}", high + 0.0));
         let _ = writeln!(out, "* Axis {} goes from {low} to {high} {unit}.", cell(name));
     }
-    let programs = Control::ALL.map(|control| format!("`{}`", program_file(name, control)));
+    let controls = if planned.is_probed(measurement) { &[Control::LinuxCnc][..] } else { &Control::ALL };
+    let programs: Vec<String> = controls.iter().map(|control| format!("`{}`", program_file(name, *control))).collect();
     let _ = writeln!(out, "* Programs: {}.", cell(&programs.join(", ")));
-    let _ = writeln!(
-        out,
-        "* Readings into {}.\n",
-        cell(&planned.readings(run).map(|file| format!("`{file}`")).join(" and "))
-    );
+    let readings: Vec<String> = planned.readings(measurement).iter().map(|file| format!("`{file}`")).collect();
+    let _ = writeln!(out, "* Readings into {}.\n", cell(&readings.join(" and ")));
     out
 }
 

@@ -29,9 +29,10 @@ pub fn project(planned: &Planned) -> String {
     out += "[fit]\nestimator = \"joint\"\n# robust = \"huber\"\n# table = \"table.csv\"         # known functions\n\n";
     out += "# What columns are called in files of other programs; with the unit stated, dr_um = \"Radius\".\n[columns]\n\
             # a = \"Angle [deg]\"\n# dr = \"Radius [µm]\"\n\n";
-    for &(run, _) in planned.paths {
-        let files = planned.readings(run).map(|file| string(&file)).join(", ");
-        let _ = writeln!(out, "[run.{}]\nfiles = [{files}]\n", key(planned.name(run)));
+    for (measurement, _) in planned.paths {
+        let files: Vec<String> = planned.readings(measurement).iter().map(|file| string(file)).collect();
+        let files = files.join(", ");
+        let _ = writeln!(out, "[run.{}]\nfiles = [{files}]\n", key(&measurement.name));
     }
     out.truncate(out.trim_end().len());
     out + "\n"

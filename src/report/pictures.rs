@@ -17,7 +17,8 @@ pub(super) fn fit(report: &Report) -> Result<Value, PlotError> {
         let counted = if histogram.counts.is_empty() { None } else { Some(counts(histogram, *samples, *rms)?) };
         Ok(json!({ "polar": polar(trace)?, "residuals": residuals(trace)?, "histogram": counted }))
     };
-    let functions = report.functions.iter().map(|c| if c.points.is_empty() { Ok(None) } else { curve(c).map(Some) });
+    let drawn = |c: &&Curve| !c.points.is_empty() && !c.is_location;
+    let functions = report.functions.iter().map(|c| Some(c).filter(drawn).map(curve).transpose());
     Ok(json!({
         "runs": runs.map(run).collect::<Result<Vec<_>, PlotError>>()?,
         "functions": functions.collect::<Result<Vec<_>, PlotError>>()?,

@@ -47,7 +47,9 @@ pub enum NotByDirection {
     #[error("one direction was measured, or part of the other, or lines in no order")]
     OneDirection,
     /// The readings do not separate the hysteresis from what else turns with the direction.
-    #[error("these runs do not tell its hysteresis from what else there is")]
+    #[error(
+        "these runs do not tell its hysteresis from what else turns with the direction, such as its backlash in `nuisance`"
+    )]
     Confounded,
     /// The fit weighs readings down.
     #[error("a robust fit does not tell directions apart")]

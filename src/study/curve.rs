@@ -19,6 +19,8 @@ pub struct Curve {
     pub function: FunctionId,
     /// `eps_xa`
     pub name: String,
+    /// Whether it is a location error: the same everywhere, its one point at 0.
+    pub is_location: bool,
     /// How far it is determined, and what the values are of.
     pub told: Told,
     /// Unit of its values: µrad or µm.
@@ -115,6 +117,7 @@ pub(super) fn curve(
     Ok(Some(Curve {
         function,
         name: setup.function_name(function),
+        is_location: setup.model.functions[function].basis.is_one(),
         told: seen.told(setup),
         unit,
         coordinate: along.coordinate.clone(),

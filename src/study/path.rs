@@ -54,17 +54,10 @@ impl Setup {
         let beyond = (measured.0 - overshoot, measured.1 + overshoot);
         let overshoot = if self.reaches(run, beyond).is_ok() { overshoot } else { 0.0 };
         let ends = (measured.0 - overshoot, measured.1 + overshoot);
-        let moved: Vec<(AxisId, &Axis)> = self
-            .model
-            .axes()
-            .enumerate()
-            .map(|(i, axis)| (AxisId::from(i), axis))
-            .filter(|(id, _)| is_moved(described, *id))
-            .collect();
+        let moved = self.moved(run);
         let points = |steps: usize| {
             let sweeps: Vec<f64> = (0..=steps).map(|i| ends.0 + (ends.1 - ends.0) * i as f64 / steps as f64).collect();
-            let along: Vec<Vec<f64>> = moved.iter().map(|(id, _)| self.coordinates(run, *id, &sweeps)).collect();
-            let points = (0..sweeps.len()).map(|i| along.iter().map(|axis| axis[i]).collect()).collect();
+            let points = self.points(run, &moved, &sweeps);
             (sweeps, points)
         };
         let lever = self.bar(run).unwrap_or(LEVER);
@@ -84,6 +77,29 @@ impl Setup {
             sweeps,
             points,
         }
+    }
+
+    /// `count` positions of a run, evenly over what of a turn its axes can reach: a whole turn without its end.
+    pub fn positions(&self, run: RunId, count: usize) -> Path {
+        let along = self.path(run, 0.0);
+        let [from, to] = along.measured;
+        let steps = if to - from < TAU - 1e-9 { count.saturating_sub(1) } else { count };
+        let sweeps: Vec<f64> = (0..count).map(|i| from + (to - from) * i as f64 / steps.max(1) as f64).collect();
+        let points = self.points(run, &self.moved(run), &sweeps);
+        let measured = [from, sweeps.last().copied().unwrap_or(to)];
+        Path { measured, sweeps, points, outward: None, ..along }
+    }
+
+    /// The axes that move in a run, or stand at a coordinate.
+    fn moved(&self, run: RunId) -> Vec<(AxisId, &Axis)> {
+        let axes = self.model.axes().enumerate().map(|(i, axis)| (AxisId::from(i), axis));
+        axes.filter(|(id, _)| is_moved(&self.model.runs[run], *id)).collect()
+    }
+
+    /// The coordinates of axes at each of some sweeps.
+    fn points(&self, run: RunId, axes: &[(AxisId, &Axis)], sweeps: &[f64]) -> Vec<Vec<f64>> {
+        let along: Vec<Vec<f64>> = axes.iter().map(|(id, _)| self.coordinates(run, *id, sweeps)).collect();
+        (0..sweeps.len()).map(|i| along.iter().map(|axis| axis[i]).collect()).collect()
     }
 
     /// What the linear axes have to do to lengthen a bar by one, at two sweeps.

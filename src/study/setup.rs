@@ -265,8 +265,7 @@ impl Setup {
 
     /// The axis whose coordinate a function depends on.
     pub fn axis(&self, function: FunctionId) -> Option<&Axis> {
-        let (axis, _) = self.model.axis_of(self.model.functions[function].error)?;
-        self.model.axis(axis)
+        self.model.axis_of_function(function).map(|(_, axis)| axis)
     }
 }
 

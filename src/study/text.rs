@@ -76,17 +76,20 @@ impl fmt::Display for Curve {
         }
         let smallest = self.points.iter().map(|p| p.sum_u95).fold(f64::INFINITY, f64::min);
         let digits = decimals(smallest);
-        let (x, unit) = (format!("{}/{}", self.coordinate, self.coordinate_unit), self.unit);
+        let (at, unit) = (format!("{}/{}", self.coordinate, self.coordinate_unit), self.unit);
+        let at = if self.is_location { String::new() } else { at };
         let head = if up_to { format!("S/{unit}") } else { format!("{}/{unit}", self.name) };
         let last = if up_to { format!("  ± as {}", self.name) } else { String::new() };
-        writeln!(f, "  {x:>9} {head:>14} {:>10}{last}", "±")?;
+        writeln!(f, "  {at:>9} {head:>14} {:>10}{last}", "±")?;
         for p in self.points.iter().step_by(self.points.len().div_ceil(LINES).max(1)) {
-            write!(f, "  {:>9.1} {:>14.digits$} {:>10.digits$}", p.at, p.value, p.sum_u95)?;
+            let at = if self.is_location { String::new() } else { format!("{:.1}", p.at) };
+            write!(f, "  {at:>9} {:>14.digits$} {:>10.digits$}", p.value, p.sum_u95)?;
             writeln!(f, "{}", if up_to { format!("  {:>10.digits$}", p.u95) } else { String::new() })?;
         }
         if let Some((at, budget)) = &self.largest {
-            let at = format!("{} = {at:.1} {}", self.coordinate, self.coordinate_unit);
-            writeln!(f, "  budget where ± is largest, {at}, standard uncertainties in {unit}")?;
+            let at = format!(" where ± is largest, {} = {at:.1} {}", self.coordinate, self.coordinate_unit);
+            let at = if self.is_location { "" } else { &at };
+            writeln!(f, "  budget{at}, standard uncertainties in {unit}")?;
             table(f, budget)?;
         }
         let terms = self.neglected_terms.iter().take(TERMS).filter(|t| t.typical >= 0.005);

@@ -33,9 +33,12 @@ pub struct Trace {
     pub decreasing: Vec<TracePoint>,
 }
 
-/// A recording on its way into steps.
+/// A recording on its way into steps: those of either direction, and the one that the last samples were in.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tracing([BTreeMap<i32, TracePoint>; 2]);
+pub(super) struct Tracing {
+    steps: [BTreeMap<i32, TracePoint>; 2],
+    open: Option<(bool, i32, TracePoint)>,
+}
 
 impl Tracing {
     /// The next sample with its residual, mm.
@@ -43,13 +46,28 @@ impl Tracing {
         let step = (taken.sweep / TAU * STEPS).floor() as i32;
         let one =
             TracePoint { sweep: taken.sweep, samples: 1, reading: taken.reading, residual, residuals: [residual; 2] };
-        let steps = &mut self.0[usize::from(taken.direction < 0.0)];
-        steps.entry(step).and_modify(|sum| *sum = both(*sum, one)).or_insert(one);
+        let back = taken.direction < 0.0;
+        match &mut self.open {
+            Some((way, at, sum)) if (*way, *at) == (back, step) => *sum = both(*sum, one),
+            _ => {
+                self.close();
+                self.open = Some((back, step, one));
+            }
+        }
+    }
+
+    /// Puts the open step to the others.
+    fn close(&mut self) {
+        if let Some((back, step, open)) = self.open.take() {
+            let steps = &mut self.steps[usize::from(back)];
+            steps.entry(step).and_modify(|sum| *sum = both(*sum, open)).or_insert(open);
+        }
     }
 
     /// What was recorded.
-    pub fn trace(self) -> Trace {
-        let [increasing, decreasing] = self.0.map(points);
+    pub fn trace(mut self) -> Trace {
+        self.close();
+        let [increasing, decreasing] = self.steps.map(points);
         Trace { increasing, decreasing }
     }
 }

@@ -6,13 +6,16 @@ use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::quantity::Unit;
 
 /// The lowest and the highest coordinate of a function's axis (mm or rad) along runs, each given with values of its sweep;
-/// `None` where it rests in all of them.
+/// `None` where it rests in all of them. A location error is the same at every coordinate: at 0.
 pub fn visited<S: AsRef<[f64]>>(
     setup: &Setup,
     function: FunctionId,
     runs: impl IntoIterator<Item = (RunId, S)>,
 ) -> Option<(f64, f64)> {
-    let (axis, _) = setup.model.axis_of(setup.model.functions[function].error)?;
+    if setup.model.functions[function].basis.is_one() {
+        return Some((0.0, 0.0));
+    }
+    let (axis, _) = setup.model.axis_of_function(function)?;
     let along = |(run, sweeps): (RunId, S)| setup.coordinates(run, axis, sweeps.as_ref());
     let at: Vec<f64> = runs.into_iter().flat_map(along).collect();
     let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));

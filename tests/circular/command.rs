@@ -93,6 +93,24 @@ fn every_number_is_in_the_document() {
 }
 
 #[test]
+fn one_file_with_both_paths_is_two_files() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let directory = tempfile::tempdir().unwrap();
+    let [ccw, cw] = [CCW, CW].map(|file| fs::read_to_string(root.join(file)).unwrap());
+    let (_, back) = cw.split_once('\n').unwrap();
+    let both = directory.path().join("both.csv");
+    fs::write(&both, ccw + back).unwrap();
+    let both = both.to_str().unwrap();
+    assert_eq!(succeeds(&[both]), succeeds(&["--cw", CW, "--ccw", CCW]));
+    fs::write(
+        both,
+        "a_deg,dr_um\n".to_owned() + &(0..359_u32).map(|k| format!("{},0\n", k.pow(3) % 359)).collect::<String>(),
+    )
+    .unwrap();
+    assert!(refused(&[both]).contains("samples in no order in time"));
+}
+
+#[test]
 fn one_direction_is_enough_and_says_what_it_lacks() {
     let text = succeeds(&["--ccw", CCW]);
     for said in ["needs both directions", "squareness and servo mismatch", "counterclockwise"] {

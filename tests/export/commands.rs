@@ -88,6 +88,15 @@ fn a_table_is_written_and_told() {
 }
 
 #[test]
+fn the_page_shows_what_is_told() {
+    let directory = simulated("tilting-table-a");
+    let (said, _) = exported(&directory, &["--format", "linuxcnc", "--out", "A.comp"]);
+    let page = include_str!("../../docs/export.md");
+    let shown = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    assert_eq!(shown, said);
+}
+
+#[test]
 fn the_grid_error_is_what_a_reader_finds() {
     let directory = simulated("tilting-table-a");
     let (object, _) = exported(&directory, &["--format", "linuxcnc", "--step-deg", "20", "--out", "a.comp", "--json"]);
@@ -133,7 +142,7 @@ fn what_cannot_be_exported_is_refused() {
         (&["--format", "linuxcnc", "--step-mm", "7"], "--step-mm has no effect"),
         (&["--format", "linuxcnc", "--output-axis", "Y"], "it is for cec"),
         (&["--format", "linuxcnc", "--both-directions"], "one direction was measured"),
-        (&["--format", "sinumerik-840d", "--both-directions"], "one table for both"),
+        (&["--format", "sinumerik-840d", "--both-directions"], "one value for both"),
         (&["--format", "sinumerik-840d", "--axis", "A;X"], "not an axis' name"),
     ];
     for (more, words) in cases {
@@ -234,7 +243,7 @@ fn both_directions_come_from_files() {
         fs::write(directory.path().join(name), format!("{}\n{there}{back}", own[0])).unwrap();
     }
     let (said, _) = exported(&directory, &["--format", "linuxcnc", "--both-directions", "--out", "a.comp"]);
-    assert!(said.contains("directions: both; forward less reverse is at most +19."), "{said}");
+    assert!(said.contains("directions: each its own; forward less reverse is at most +19."), "{said}");
     let trim = readers::linuxcnc(&file(&directory, "a.comp"));
     for at in [0.0, 45.0, 90.0, 180.0, 270.0, 360.0] {
         let seconds = (trim(at, false) - trim(at, true)) * 3600.0;
@@ -244,6 +253,13 @@ fn both_directions_come_from_files() {
     let object: Value = serde_json::from_str(&object).unwrap();
     let [value, u95] = ["value", "u95_noise"].map(|key| object["tables"][0]["hysteresis"][key].as_f64().unwrap());
     assert!((value - 19.39).abs() < u95.max(0.3) && u95 < 1.0, "{value} ± {u95}");
+    // One value for both is the mean, and what stays is told.
+    let (said, _) = exported(&directory, &["--format", "sinumerik-840d", "--out", "mean.ini"]);
+    assert!(said.contains("half stays; forward less reverse is at most +19."), "{said}");
+    let mean = readers::sinumerik(&file(&directory, "mean.ini"));
+    for at in [0.0, 90.0, 200.0] {
+        assert!((mean(at, true) - (trim(at, true) + trim(at, false)) / 2.0).abs() < 1e-8);
+    }
     let both = readers::cec(&file(&directory, "a.ini"));
     assert!(((both(90.0, false) - both(90.0, true)) * 3600.0 - 4.0).abs() < 0.05);
 }

@@ -3,7 +3,8 @@
 use crate::machine::{Bench, Found, Trim};
 use crate::readers;
 use trunnion::export::{AllFormat, Format, Grid, OneFormat, Subject, Table, Told, left, write, write_all};
-use trunnion::study::{Covered, Setup, by_direction};
+use trunnion::study::{Covered, ErrorLimits, Estimator, Failing, NotByDirection, Setup, Simulation, by_direction, fit};
+use trunnion_codegen::model::read_draft;
 
 /// One arc second, rad.
 const SECOND: f64 = std::f64::consts::PI / 180.0 / 3600.0;
@@ -144,5 +145,46 @@ fn a_hysteresis_of_four_seconds_is_in_the_columns() {
                 assert!(by.abs() < 0.05 + 6.0 * std + rounded, "{named} at {at}: {by}″");
             }
         }
+    }
+}
+
+/// A linear axis' backlash beside it is told apart; its own, as a term of the run, is the same thing.
+#[test]
+fn what_else_turns_with_the_direction_is_told_apart_or_refused() {
+    let with = |term: &str| {
+        let mut draft = read_draft(trunnion_codegen::catalogue::source("tilting-table-a").unwrap()).unwrap();
+        draft
+            .runs
+            .iter_mut()
+            .filter(|run| run.name.value == "tilting")
+            .for_each(|run| run.nuisance = vec![term.into()]);
+        let setup = Setup::new(draft.build().unwrap(), &[]).unwrap();
+        let limits = ErrorLimits::PAPER;
+        let simulation = Simulation { seed: 4, samples: 360, noise_um: 0.1, limits, range_deg: (0.0, 360.0) };
+        let observations = simulation.measure(&setup).observations.raw;
+        let fit = fit(&setup, &observations, Estimator::Joint).unwrap();
+        let function = setup.estimated().next().unwrap();
+        match by_direction(&setup, &observations, &fit, function) {
+            Ok(own) => Ok(own.hysteresis(&setup, &fit, 2.0)),
+            Err(Failing::Not(why)) => Err(why),
+        }
+    };
+    assert_eq!(with("backlash A"), Err(NotByDirection::Confounded));
+    let [by, std] = with("backlash Y").unwrap();
+    assert!(by.abs() < 4.0 * std && std < SECOND, "{by} ± {std}");
+}
+
+/// A linear axis turns round within a run: each sample has the direction of the axis, not of the sweep.
+#[test]
+fn a_linear_axis_goes_both_ways_in_each_run() {
+    let text = trunnion_codegen::catalogue::source("tilting-table-a").unwrap();
+    let text = text.replace("estimate = [\"e_xa\"]", "estimate = [\"d_yy\"]");
+    let mut bench = Bench::new(Setup::from_description(&text, &[]).unwrap(), 1.0, (0.0, 360.0), 2);
+    bench.hysteresis = 2e-3;
+    let found = bench.measured(None, 0.0);
+    let Ok(own) = by_direction(&bench.setup, &found.observations, &found.fit, bench.function) else { panic!() };
+    for y in [-140.0, -70.0, 0.0, 70.0, 140.0] {
+        let [by, std] = own.hysteresis(&bench.setup, &found.fit, y);
+        assert!((by - 2e-3).abs() < 4.0 * std + 2e-5 && std < 1e-4, "{y}: {by} ± {std}");
     }
 }

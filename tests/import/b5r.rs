@@ -1,6 +1,6 @@
 //! Tests of Ballbar 20, written by hand from what is known of their form.
 
-use super::{alike, fitted, good, number, object, object_of_fit, reference, samples};
+use super::{alike, fitted, good, number, object, object_of_fit, reference, refused, samples};
 use std::fmt::Write;
 use std::fs;
 
@@ -105,6 +105,36 @@ fn both_units_and_both_directions_are_read() {
         assert!(text.contains(said), "{said} in {text}");
     }
     assert!(text.contains("# sha-256: ") && text.contains("# found: AF_CALCULATED_FEEDRATE 1498.2 UT_FEEDRATE"));
+}
+
+#[test]
+fn a_circular_test_is_that_of_its_imported_runs() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    let (um, width) = mostly_round();
+    let back: Vec<f64> = um.iter().rev().map(|reading| reading + 0.5).collect();
+    let run =
+        |direction, readings: &[f64]| Run { direction, readings: readings.to_vec(), features: circularity(width) };
+    let pair = [run("CW", &back), run("CCW", &um)];
+    fs::write(at.join("test.b5r"), document("ZX 360deg 100mm", "ZX", 100.0, &pair)).unwrap();
+    let told = object(&good(at, &["circular", "test.b5r", "--json"]));
+    good(at, &["import", "test.b5r", "--out", "."]);
+    let parts = ["--cw", "test-cw.csv", "--ccw", "test-ccw.csv", "--radius", "100", "--plane", "ZX", "--feed", "1500"];
+    alike(&told, &object(&good(at, &[&["circular", "--json"][..], &parts].concat())), 1e-9);
+    // What is stated stands over what the file says; a plane has to be the same.
+    assert_eq!(object(&good(at, &["circular", "test.b5r", "--radius", "150", "--json"]))["radius_mm"], 150.0);
+    refused(at, &["circular", "test.b5r", "--plane", "XY"], &["test.b5r:", "XY"]);
+    refused(at, &["circular", "test.b5r", "--cw", "test-cw.csv"], &["--cw"]);
+    refused(at, &["circular", "test-cw.csv"], &["no length of the ball-bar", "--radius"]);
+    let three = [run("CW", &back), run("CCW", &um), run("CCW", &um)];
+    fs::write(at.join("three.b5r"), document("ZX 360deg 100mm", "ZX", 100.0, &three)).unwrap();
+    refused(at, &["circular", "three.b5r"], &["three.b5r: 2 counterclockwise runs", "trunnion import"]);
+    fs::write(
+        at.join("no-unit.b5r"),
+        document("ZX 360deg 100mm", "ZX", 100.0, &[Run { features: vec![], ..run("CW", &um) }]),
+    )
+    .unwrap();
+    refused(at, &["circular", "no-unit.b5r"], &["no-unit.b5r", "trunnion import with --unit mm or --unit um"]);
 }
 
 #[test]

@@ -1,36 +1,31 @@
 #!/usr/bin/python3
-"""The tables of docs/controller.md: written from what was measured, or held against it."""
+"""The tables of a page: written from what a session printed, or held against it.
 
-import json
+page.py PAGE.md NAME OUTPUT [bless], between `<!-- NAME: written by … -->` and `<!-- end of NAME -->`
+"""
+
 import re
 import sys
 from pathlib import Path
 
-BEGIN, END = "<!-- linuxcnc: written by `.ci/linuxcnc bless` -->\n", "<!-- end of linuxcnc -->\n"
 # Every session draws the same noise; what differs are the last digits of another version's path.
 RELATIVE, ABSOLUTE = 0.05, 0.03
 # What a processor and a compiler make of it is told, not held.
 OWN = ("clock cycles", "bytes")
 
 
-def costs(sessions, usage):
-    """What the component costs."""
-    clocks = json.loads((sessions / "clocks.json").read_text())
-    frames = {line.split("\t")[0].split(":")[-1]: int(line.split("\t")[1]) for line in usage.read_text().splitlines()}
-    deepest = max(bytes for name, bytes in frames.items() if name not in ("export", "rtapi_app_main"))
-    rows = [
-        ("a sample, median, clock cycles", clocks["sample_clocks"]),
-        ("a solution, clock cycles", clocks["solve_clocks"]),
-        ("largest stack frame, bytes", deepest),
-    ]
-    lines = ["| the component of `tilting-table-a` | |", "|---|---:|", *(f"| {what} | {value:.0f} |" for what, value in rows)]
-    return "\n".join(lines) + "\n"
+def tables(output):
+    """The tables among other lines, a blank line between two."""
+    lines = [line for line in output.splitlines() if line.startswith("|")]
+    begins = lambda at: at and at + 1 < len(lines) and lines[at + 1].startswith("|---")
+    return "".join("\n" * bool(begins(at)) + line + "\n" for at, line in enumerate(lines))
 
 
 def rows(text):
+    """Names of rows, and their numbers, whatever their unit."""
     cells = [[cell.strip() for cell in line.strip("| ").split("|")] for line in text.splitlines() if line.startswith("| ")]
-    number = re.compile(r"-?\d+(\.\d+)?").fullmatch
-    return {first: [float(cell) for cell in rest] for first, *rest in cells if rest and all(map(number, rest))}
+    number = re.compile(r"(-?\d+(?:\.\d+)?)(?: \S+)?").fullmatch
+    return {first: [float(number(cell)[1]) for cell in rest] for first, *rest in cells if rest and all(map(number, rest))}
 
 
 def differing(told, measured):
@@ -41,18 +36,15 @@ def differing(told, measured):
     return [name for name in held if not same(name)] + [name for name in told if name not in measured]
 
 
-def main(page, sessions, usage, bless):
-    page, sessions = Path(page), Path(sessions)
-    measured = (sessions / "table.md").read_text() + "\n" + costs(sessions, Path(usage))
-    print(measured)
+def main(page, name, output, bless=""):
+    page, measured = Path(page), tables(Path(output).read_text())
     text = page.read_text()
-    before, rest = text.split(BEGIN)
-    told, after = rest.split(END)
+    begin, end = re.search(rf"<!-- {name}: .*-->\n", text).end(), text.index(f"<!-- end of {name} -->")
     if bless == "bless":
-        page.write_text(before + BEGIN + measured + END + after)
+        page.write_text(text[:begin] + measured + text[end:])
         return
-    wrong = differing(rows(told), rows(measured))
-    if wrong:
+    wrong = differing(rows(text[begin:end]), rows(measured))
+    if wrong or not rows(measured):
         raise SystemExit(f"{page}: not as measured: {', '.join(wrong)}; `.ci/linuxcnc bless` writes them")
 
 

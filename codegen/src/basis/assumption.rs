@@ -41,6 +41,16 @@ impl Basis {
         Self::Functions(Functions { terms, ..Functions::default() })
     }
 
+    /// 1 alone: a location error.
+    pub fn one() -> Self {
+        Self::Functions(Functions { terms: [BasisFunction::One].into_iter().collect(), ..Functions::default() })
+    }
+
+    /// Whether it is that of a location error, the same at every coordinate.
+    pub fn is_one(&self) -> bool {
+        self.functions().raw == [BasisFunction::One]
+    }
+
     /// `Σ cₖ cos kx + sₖ sin kx`, k = 1…n, of a rotary axis; a constant belongs to the location errors.
     pub fn fourier(harmonics: u8) -> Self {
         let terms = (1..=harmonics).flat_map(|k| [BasisFunction::Cosine(k), BasisFunction::Sine(k)]).collect();

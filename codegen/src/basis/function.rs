@@ -6,6 +6,8 @@ use crate::ids::TermId;
 /// A function of an axis' coordinate x.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BasisFunction {
+    /// 1, of a location error: it is the same wherever the axis is.
+    One,
     /// A polynomial of x.
     Polynomial(Univariate),
     /// `cos kx`, of a rotary axis.
@@ -34,15 +36,17 @@ impl BasisFunction {
     /// The function in the form of an arithmetic.
     pub fn of<A: Arithmetic>(&self, arithmetic: &mut A) -> A::Value {
         match self {
+            Self::One => arithmetic.polynomial(&Univariate::power(0)),
             Self::Polynomial(f) => arithmetic.polynomial(f),
             Self::Cosine(k) => arithmetic.cosine(*k),
             Self::Sine(k) => arithmetic.sine(*k),
         }
     }
 
-    /// What its coefficient's name ends in, as this term of a basis: `1`, `_cos1`, `_sin1`.
+    /// What its coefficient's name ends in, as this term of a basis: `1`, `_cos1`, `_sin1`; a location error is its own.
     pub fn suffix(&self, term: TermId) -> String {
         match self {
+            Self::One => String::new(),
             Self::Polynomial(_) => (usize::from(term) + 1).to_string(),
             Self::Cosine(k) => format!("_cos{k}"),
             Self::Sine(k) => format!("_sin{k}"),
@@ -53,7 +57,7 @@ impl BasisFunction {
     pub fn coefficient_unit(&self, error: &str, coordinate: &str) -> String {
         match self {
             Self::Polynomial(f) => format!("{error}/{coordinate}^{}", f.degree()),
-            Self::Cosine(_) | Self::Sine(_) => error.to_owned(),
+            Self::One | Self::Cosine(_) | Self::Sine(_) => error.to_owned(),
         }
     }
 }

@@ -84,7 +84,7 @@ pub struct EstimatedFunction {
     /// Which it is.
     pub function: FunctionId,
     /// What the base parameters are multiplied with at a coordinate: inputs are the lengths of the set-up and the coordinate,
-    /// mm or rad.
+    /// mm or rad; of a location error the lengths alone.
     pub basis: Function,
     /// The base parameters that its value, or the sum it is seen in, consists of, in the order of the basis: none where it is
     /// not seen.
@@ -115,8 +115,7 @@ fn basis(
 ) -> Option<Result<Function, Unbound>> {
     let f = &model.functions[determination.function];
     let name = model.alphabet.error_name(f.error);
-    let (axis, _) = model.axis_of(f.error)?;
-    let axis = model.axis(axis)?;
+    let (_, axis) = model.axis_of_function(determination.function)?;
     let mut graph = Graph::new();
     let x = graph.symbol(Symbol::Coordinate);
     let x = f.basis.turn_from().map_or(x, |start| graph.wrapped(x, start));
@@ -141,10 +140,13 @@ fn basis(
     let unit = if axis.kind == AxisKind::Rotary { "rad" } else { "mm" };
     let mut inputs = lengths(model);
     let meaning = format!("coordinate of axis {}, {unit}", axis.name);
-    inputs.push(Input::new(Symbol::Coordinate, &axis.coordinate, &meaning));
+    if !f.basis.is_one() {
+        inputs.push(Input::new(Symbol::Coordinate, &axis.coordinate, &meaning));
+    }
     let names = base.iter().map(|b| derivation.base[*b].name.as_str());
     let outputs = [Output::array("basis", &names.zip(values).collect::<Vec<_>>())];
-    let doc = format!("Basis of the function `{name}`: the sum of these times their base parameters.");
+    let what = if f.basis.is_one() { "location error" } else { "function" };
+    let doc = format!("Basis of the {what} `{name}`: the sum of these times their base parameters.");
     let told = extent(model, derivation, determination, Style::Plain);
     let told = format!("`{name}` is {told}.");
     Some(Function::new(&graph, name, &[&doc, &told], inputs, &outputs))

@@ -5,7 +5,7 @@ use super::derivation::DeriveError;
 use super::parameter::{Assumed, Column, Parameter};
 use crate::algebra::{AlgebraError, Alphabet, ErrorId, Order, Poly};
 use crate::basis::Basis;
-use crate::ids::{FunctionId, ParameterId, RunId};
+use crate::ids::{FunctionId, ParameterId, RunId, TermId};
 use crate::limits::COEFFICIENTS;
 use crate::model::{Coefficient, Model, Origin};
 use typed_index_collections::{TiSlice, TiVec, ti_vec};
@@ -31,7 +31,10 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
             let Some(error) = errors.errors().next() else { continue };
             seen.push(error);
             let Some((axis, _)) = model.axis_of(error) else {
-                put(&mut found, readings.len(), Origin::Constant(error), run, coefficient);
+                let located =
+                    model.function(error).map(|(function, _)| Coefficient { function, term: TermId::from(0) });
+                let origin = located.map_or(Origin::Constant(error), Origin::Coefficient);
+                put(&mut found, readings.len(), origin, run, coefficient);
                 continue;
             };
             let Some((id, function)) = model.function(error) else {

@@ -28,17 +28,19 @@ pub struct Derivation {
 }
 
 impl Derivation {
-    /// Number of base parameters that are not coefficients of an estimated function: 11 for the paper.
+    /// Number of base parameters that are not called after coefficients of an estimated function: 11 for the paper.
     pub fn rank(&self) -> usize {
-        self.base.iter().filter(|b| b.estimates.is_none()).count()
+        self.base.iter().filter(|b| b.lumped || b.estimates.is_none()).count()
     }
 }
 
 /// A lumped coefficient ("base parameter" in robotics).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BaseParameter {
-    /// `k1`, `k2`, …, or the coefficient's own name for an estimated function.
+    /// `k1`, `k2`, …, or the coefficient's own name for an estimated function; a location error's own where it stands alone.
     pub name: String,
+    /// Whether it has a number for a name.
+    pub lumped: bool,
     /// The parameter that carries it.
     pub pivot: ParameterId,
     /// What it is in physical parameters, in the declared order.

@@ -110,14 +110,17 @@ fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<B
         };
         let own = || parameter.name.clone();
         let with_the_feed = matches!(parameter.origin, Origin::Constant(error) if model.is_nuisance(error));
-        let named = estimates.is_some() || with_the_feed;
+        // A location error has a value of its own: a sum that it stands in is not called so.
+        let sum = estimates.is_some_and(|c| model.functions[c.function].basis.is_one())
+            && b.definition.iter().filter(|f| !f.is_zero()).count() > 1;
+        let named = (estimates.is_some() && !sum) || with_the_feed;
         let name = if named { own() } else { lumped.next().unwrap_or_else(own) };
         let leading = b.regressors[b.run].numerator().printed().first().map(|(_, c)| c.is_negative());
         let flip = !named && leading == Some(true);
         let signed = |f: Fraction| if flip { f.negated() } else { f };
         let definition = sparse(b.definition).into_iter().map(|(j, f)| (j, signed(f))).collect();
         let regressors = b.regressors.into_iter().map(signed).collect();
-        (BaseParameter { name, pivot: b.pivot, definition, estimates, run: b.run }, regressors)
+        (BaseParameter { name, lumped: !named, pivot: b.pivot, definition, estimates, run: b.run }, regressors)
     };
     base.into_iter().map(finish).collect()
 }

@@ -4,7 +4,7 @@
 //! description leaves them out. That is exact only where they change the readings of the runs in which it rests as set-up and
 //! location errors of the rest of the machine could, all runs together; else the axis is taken at its coordinate 0, and
 //! such an error stays an unknown of its own. What takes up others must itself be left out nowhere: an error that makes up for
-//! its own share in another run would be told apart by what no run reads.
+//! its own share in another run would be told apart by what no run reads. A location error that is to be found is left out nowhere.
 
 use super::derivation::DeriveError;
 use crate::algebra::{AlgebraError, Angle, ErrorId, Fraction, Monomial, Order, Poly, Row, reduce, subtract};
@@ -46,13 +46,21 @@ pub fn settle(model: &mut Model) -> Result<(), DeriveError> {
             open.push((*error, axis, missing));
         }
     }
+    let (mut standing, mut kept): (Vec<Effect>, Vec<ErrorId>) = (Vec::new(), Vec::new());
+    open.retain(|(error, ..)| {
+        let wanted = model.axis_of(*error).is_none() && model.function(*error).is_some();
+        if wanted {
+            kept.push(*error);
+            standing.extend(whole.get(error).cloned());
+        }
+        !wanted
+    });
     // Location before motion errors: they need nothing assumed of them.
     open.sort_by_key(|(error, ..)| model.axis_of(*error).is_some());
     let constant = |error: &ErrorId| model.axis_of(*error).is_none();
-    let partly = |error: &ErrorId| open.iter().any(|(own, ..)| own == error);
-    let complete =
-        folded.iter().filter(|(error, _)| constant(error) && !partly(error)).map(|(_, effect)| effect.clone());
-    let (mut standing, mut kept): (Vec<Effect>, Vec<ErrorId>) = (complete.collect(), Vec::new());
+    let partly = |error: &ErrorId| open.iter().any(|(own, ..)| own == error) || kept.contains(error);
+    let complete = folded.iter().filter(|(error, _)| constant(error) && !partly(error));
+    standing.extend(complete.map(|(_, effect)| effect.clone()));
     let mut left_out: Vec<(ErrorId, AxisId)> = Vec::new();
     while !open.is_empty() {
         let mut next = None;

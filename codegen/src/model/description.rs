@@ -31,7 +31,8 @@ pub struct Model {
     pub tool: Vec<Axis>,
     /// The runs in the order of their elimination.
     pub runs: TiVec<RunId, Run>,
-    /// What is assumed of every motion error: errors without an entry must not appear in a reading.
+    /// What is assumed of every motion error: errors without an entry must not appear in a reading. Behind them the location
+    /// errors that the runs are made to find, as functions that are the same everywhere.
     pub functions: TiVec<FunctionId, ErrorFunction>,
     /// Parameters to be used as pivots first, in this order.
     pub order: Vec<Text>,
@@ -62,6 +63,13 @@ impl Model {
         })
     }
 
+    /// The axis of a function: whose motion error it is, or whose location error.
+    pub fn axis_of_function(&self, function: FunctionId) -> Option<(AxisId, &Axis)> {
+        let error = self.functions.get(function)?.error;
+        let own = |axis: &Axis| axis.motion.contains(&error) || axis.location.contains(&Some(error));
+        self.axes().enumerate().find(|(_, axis)| own(axis)).map(|(i, axis)| (i.into(), axis))
+    }
+
     /// Whether it is the parameter of a nuisance term.
     pub fn is_nuisance(&self, error: ErrorId) -> bool {
         self.runs.iter().any(|run| run.nuisance.iter().any(|n| n.error == error))
@@ -73,10 +81,10 @@ impl Model {
     }
 }
 
-/// What is assumed of a motion error as a function of its axis' coordinate.
+/// What is assumed of a motion error as a function of its axis' coordinate, or a location error that is to be found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorFunction {
-    /// The motion error.
+    /// The error.
     pub error: ErrorId,
     /// Its basis.
     pub basis: Basis,

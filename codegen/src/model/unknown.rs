@@ -12,10 +12,10 @@ pub enum Origin {
     Coefficient(Coefficient),
 }
 
-/// What a function of a basis is multiplied with in the sum for a motion error.
+/// What a function of a basis is multiplied with in the sum for a motion error; a location error that is to be found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Coefficient {
-    /// The motion error's function.
+    /// The error's function.
     pub function: FunctionId,
     /// The function of its basis.
     pub term: TermId,

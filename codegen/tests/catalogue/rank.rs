@@ -47,7 +47,8 @@ fn check(name: &str, model: &Model, derivation: &Derivation) {
                 Origin::Constant(error) => factor(error),
                 Origin::Coefficient(c) => {
                     let function = &model.functions[c.function];
-                    let (axis, _) = model.axis_of(function.error).unwrap();
+                    // A location error that is to be found.
+                    let Some((axis, _)) = model.axis_of(function.error) else { return factor(function.error) };
                     let Some(coordinate) = run.at[axis].poly() else { return 0.0 };
                     let x = at(coordinate, alphabet, sweep, length);
                     factor(function.error) * function.basis.values(x, alphabet, &length)[c.term]

@@ -5,7 +5,7 @@ use super::{c, model};
 use crate::emit::function::{Function, Input};
 use crate::emit::layout::{listed, prose};
 use crate::emit::model::EstimatedFunction;
-use crate::graph::Unbound;
+use crate::graph::{Symbol, Unbound};
 use crate::identify::Derivation;
 use crate::ids::{FunctionId, RunId};
 use crate::model::Model;
@@ -26,8 +26,8 @@ pub(in crate::emit) struct Push {
     pub inputs: Vec<Input>,
 }
 
-/// The function that evaluates an estimated function: the estimate, the lengths, the coordinate, where value and standard
-/// deviation go.
+/// The function that evaluates an estimated function: the estimate, the lengths, the coordinate unless it is a location
+/// error, where value and standard deviation go.
 pub(in crate::emit) struct Value {
     pub function: FunctionId,
     pub called: String,
@@ -119,8 +119,13 @@ fn value(printed: &mut Printed, estimated: EstimatedFunction, file: &mut File) {
     let results = [format!("{kind} *{value}"), format!("{kind} *{std}")];
     let parameters: Vec<String> = [first].into_iter().chain(values).chain(results).collect();
     let signature = listed(&format!("{prefix}_status {called}("), &parameters, ")", 4);
-    printed.declarations +=
-        &format!("\n/* The estimated function at a coordinate, and its standard deviation there. */\n{signature};\n");
+    let located = function.inputs.last().is_none_or(|input| input.symbol != Symbol::Coordinate);
+    let told = if located {
+        "The location error, and its standard deviation."
+    } else {
+        "The estimated function at a coordinate, and its standard deviation there."
+    };
+    printed.declarations += &format!("\n/* {told} */\n{signature};\n");
     let places: Vec<String> = places.iter().map(ToString::to_string).collect();
     let places = listed(&format!("    static const unsigned short {place}[{n}] = {{"), &places, "};", 8);
     let arguments: Vec<String> = inputs.iter().chain([&at]).cloned().collect();

@@ -6,7 +6,7 @@ use crate::algebra::{ErrorId, Fraction, Monomial, Poly, Rational};
 use crate::basis::{Basis, BasisFunction};
 use crate::identify::{BaseParameter, Derivation, DerivedRun, Group};
 use crate::ids::{BaseId, FunctionId, ParameterId, RunId};
-use crate::model::{Model, ReadingKind};
+use crate::model::{ErrorFunction, Model, ReadingKind};
 
 /// `a`, `a and b`, `a, b and c`
 fn listed(mut names: Vec<String>) -> String {
@@ -140,7 +140,7 @@ impl<'a> Document<'a> {
             .map(|(f, p)| (Fraction::whole(p.clone()), self.error(self.model.functions[*f].error)))
             .collect();
         let estimated = self.estimated(run);
-        let lumped = run.regressors.iter().filter(|(b, _)| self.derivation.base[*b].estimates.is_none());
+        let lumped = run.regressors.iter().filter(|(b, _)| self.is_lumped(*b));
         let lumped = lumped.map(|(b, r)| (r, self.printer.name(&self.derivation.base[*b].name)));
         self.printer.combination(
             known
@@ -151,12 +151,29 @@ impl<'a> Document<'a> {
         )
     }
 
+    /// Whether a base parameter stands in the equation under its number.
+    fn is_lumped(&self, base: BaseId) -> bool {
+        let b = &self.derivation.base[base];
+        b.lumped || b.estimates.is_none()
+    }
+
     /// The estimated functions with their coefficients in the reading: `R·e_xa`.
     fn estimated(&self, run: &DerivedRun) -> Vec<(Fraction, String)> {
         let coefficient =
             |error: ErrorId| run.reading.by_errors().into_iter().find(|(m, _)| m.errors().next() == Some(error));
-        let functions = self.model.functions.iter().filter(|f| f.estimate);
+        // A location error that only sums have is in their base parameters.
+        let alone = |id: FunctionId| {
+            let own = |b: &BaseParameter| !b.lumped && b.estimates.is_some_and(|c| c.function == id);
+            self.derivation.base.iter().any(own)
+        };
+        let functions = self.model.functions.iter_enumerated();
+        let functions = functions.filter(|(id, f)| f.estimate && (!f.basis.is_one() || alone(*id))).map(|(_, f)| f);
         functions.filter_map(|f| Some((Fraction::whole(coefficient(f.error)?.1), self.error(f.error)))).collect()
+    }
+
+    /// The motion errors' functions: a location error is one by itself.
+    pub fn functions(&self) -> impl Iterator<Item = (FunctionId, &ErrorFunction)> {
+        self.model.functions.iter_enumerated().filter(|(_, f)| !f.basis.is_one())
     }
 
     /// An error's function written out in its coefficients, T(6) and T(10), of the coordinate `x`; `None` if it is not one.
@@ -166,6 +183,7 @@ impl<'a> Document<'a> {
         match &f.basis {
             Basis::Zero => return Some(self.printer.number("0".to_owned())),
             Basis::Known => return None,
+            Basis::Functions(_) if f.basis.is_one() => return Some(self.printer.name(prefix)),
             Basis::Functions(_) => {}
         }
         let mut written = Written { printer: &self.printer, x };
@@ -178,7 +196,6 @@ impl<'a> Document<'a> {
 
     /// The coordinate's letter of an axis error: `a` for the axis A.
     pub fn coordinate(&self, id: FunctionId) -> String {
-        let axis = self.model.axis_of(self.model.functions[id].error);
-        axis.and_then(|(id, _)| self.model.axis(id)).map_or_else(|| "x".to_owned(), |axis| axis.coordinate.clone())
+        self.model.axis_of_function(id).map_or_else(|| "x".to_owned(), |(_, axis)| axis.coordinate.clone())
     }
 }

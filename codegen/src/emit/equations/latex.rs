@@ -28,7 +28,7 @@ pub fn latex(model: &Model, derivation: &Derivation) -> String {
         let x = d.printer.name(&d.coordinate(i));
         Some(equation(&format!("{}({x}) &= ", d.error(f.error)), &d.function(i, &x)?, 2))
     };
-    align(model.functions.iter_enumerated().filter_map(function).collect());
+    align(d.functions().filter_map(function).collect());
     align(
         derivation
             .base

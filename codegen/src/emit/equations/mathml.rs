@@ -43,7 +43,7 @@ pub fn mathml(model: &Model, derivation: &Derivation) -> Vec<Section> {
     vec![
         section("Readings, linear in the errors", readings),
         section("The same with the functions put in", equations),
-        section("Functions", model.functions.iter_enumerated().filter_map(function).collect()),
+        section("Functions", d.functions().filter_map(function).collect()),
         section(
             "Coefficients in physical errors",
             derivation.base.iter().filter(|b| !d.is_itself(b)).map(base).collect(),

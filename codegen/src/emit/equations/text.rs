@@ -30,7 +30,7 @@ pub fn text(model: &Model, derivation: &Derivation) -> String {
         let _ = writeln!(out, "with its functions put in\n{}", equation(&start, &d.equation(run), 7));
     }
     let _ = writeln!(out, "\nFunctions");
-    for (i, f) in model.functions.iter_enumerated() {
+    for (i, f) in d.functions() {
         let name = d.error(f.error);
         let x = d.coordinate(i);
         let _ = match d.function(i, &x) {

@@ -75,26 +75,32 @@ impl<'a> Calls<'a> {
         )
     }
 
-    /// Evaluates an estimated function where its pin says.
+    /// Evaluates an estimated function where its pin says; a location error is the same everywhere.
     pub fn value(&mut self, value: &Value) -> String {
         let Self { model, derivation, prefix, lengths, pins } = self;
-        let error = model.functions[value.function].error;
-        let name = model.alphabet.error_name(error);
-        let axis = model.axis_of(error).and_then(|(axis, _)| model.axis(axis));
-        let rotary = axis.is_none_or(|axis| axis.kind == AxisKind::Rotary);
-        let at = if rotary { Quantity::Angle } else { Quantity::Length }.coordinate();
-        let unit = model.alphabet.error_quantity(error).deviation();
-        let ends = [format!("_at_{}", at.suffix()), format!("_{}", unit.suffix()), format!("_std_{}", unit.suffix())];
-        let stem = pins.stem(name, &ends.each_ref().map(String::as_str));
+        let function = &model.functions[value.function];
+        let name = model.alphabet.error_name(function.error);
+        let unit = model.alphabet.error_quantity(function.error).deviation();
+        let axis = model.axis_of_function(value.function).filter(|_| !function.basis.is_one());
+        let coordinate = axis.map(|(_, axis)| match axis.kind {
+            AxisKind::Rotary => Quantity::Angle.coordinate(),
+            AxisKind::Linear => Quantity::Length.coordinate(),
+        });
+        let [at_end, end, std_end] = [("_at", coordinate), ("", Some(unit)), ("_std", Some(unit))]
+            .map(|(end, unit)| format!("{end}_{}", unit.map_or("", Unit::suffix)));
+        let stem = pins.stem(name, &[&at_end, &end, &std_end]);
+        let mut pin = |item, end: &str, meaning: String| pins.declare(item, &format!("{stem}{end}"), "", &meaning);
+        let mut arguments = vec!["&own->estimate".to_owned()];
+        arguments.extend(lengths.iter().cloned());
+        if let Some(unit) = coordinate {
+            arguments.push(scaled(&pin(Item::Input, &at_end, format!("Where {name} is evaluated")), unit));
+        }
+        arguments.extend(["&value", "&std"].map(str::to_owned));
         let determination = derivation.functions.iter().find(|d| d.function == value.function);
         let told = determination.map_or(String::new(), |d| extent(model, derivation, d, Style::Plain));
-        let mut pin = |item, end: &str, meaning: String| pins.declare(item, &format!("{stem}{end}"), "", &meaning);
-        let at_pin = pin(Item::Input, &ends[0], format!("Where {name} is evaluated"));
-        let value_pin = pin(Item::Output, &ends[1], format!("{name} there, which is {told}"));
-        let std_pin = pin(Item::Output, &ends[2], "Its standard deviation, from the residuals".to_owned());
-        let given = ["&own->estimate".to_owned()].into_iter().chain(lengths.iter().cloned());
-        let results = ["&value", "&std"].map(str::to_owned);
-        let arguments: Vec<String> = given.chain([scaled(&at_pin, at)]).chain(results).collect();
+        let there = if coordinate.is_some() { " there" } else { "" };
+        let value_pin = pin(Item::Output, &end, format!("{name}{there}, which is {told}"));
+        let std_pin = pin(Item::Output, &std_end, "Its standard deviation, from the residuals".to_owned());
         let call = listed(&format!("            status = {}(", value.called), &arguments, ");", 16);
         let (ok, unit) = (format!("{}_OK", prefix.to_uppercase()), unit.factor());
         format!(

@@ -7,13 +7,14 @@ use super::function::docs;
 use super::printed::{Estimated, Printed};
 use super::{LOCAL, blank, ident};
 use crate::emit::names::Scope;
+use crate::graph::Symbol;
 
 pub(super) fn estimate(printed: &Printed) -> TokenStream {
     let (module, real, size, blank) =
         (&printed.support.module, &printed.support.real, printed.size(), blank(printed.support));
     let (name, lengths) = (printed.type_name("Estimate"), printed.lengths_type());
     let mut methods = Scope::new(LOCAL, &["lengths"]);
-    let values = printed.functions.iter().filter_map(|f| value(printed, f, &mut methods));
+    let values = printed.functions.iter().map(|f| value(printed, f, &mut methods));
     quote! {
         /// What the samples give.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +35,7 @@ pub(super) fn estimate(printed: &Printed) -> TokenStream {
 }
 
 /// A function's value and standard deviation, or those of the sum it is seen in.
-fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Option<TokenStream> {
+fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> TokenStream {
     let module = &printed.support.module;
     let (function, model) = (&estimated.function, printed.model);
     let places = function.base.iter().map(|b| Literal::usize_unsuffixed((*b).into()));
@@ -43,19 +44,28 @@ fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Optio
     let called = ident(&methods.claim(&function.basis.name));
     let basis = printed.path(&estimated.name);
     let lengths = printed.own_lengths();
-    let input = function.basis.inputs.last()?;
-    let x = Scope::new(LOCAL, &[estimated.name.to_string()]).claim(&input.name);
+    // A location error has no coordinate.
+    let input = function.basis.inputs.last().filter(|input| input.symbol == Symbol::Coordinate);
+    let x = input.map(|input| Scope::new(LOCAL, &[estimated.name.to_string()]).claim(&input.name));
+    let (what, at, where_none) = match (input, &x) {
+        (Some(input), Some(x)) => {
+            ("function", format!(", at `{x}`, the {}", input.meaning), ", as at a coordinate that is none")
+        }
+        _ => ("location error", String::new(), ""),
+    };
     let doc = docs(&[
-        format!("The function `{name}` and its standard deviation, {unit}, at `{x}`, the {}.", input.meaning),
+        format!("The {what} `{name}` and its standard deviation, {unit}{at}."),
         String::new(),
         "# Errors".to_owned(),
-        "The result is not a finite number, as at a coordinate that is none.".to_owned(),
+        format!("The result is not a finite number{where_none}."),
     ]);
-    let x = ident(&x);
-    Some(quote! {
+    let x = x.map(|x| ident(&x));
+    let parameter = x.iter().map(|x| quote!(, #x: T));
+    let call = if function.basis.inputs.is_empty() { quote!(#basis::<T>()) } else { quote!(#basis(#lengths #x)) };
+    quote! {
         #doc
-        pub fn #called(&self, #x: T) -> Result<(T, T), #module::NotFinite> {
-            #module::value(&self.solution, &[#(#places),*], &#basis(#lengths #x))
+        pub fn #called(&self #(#parameter)*) -> Result<(T, T), #module::NotFinite> {
+            #module::value(&self.solution, &[#(#places),*], &#call)
         }
-    })
+    }
 }

@@ -107,8 +107,8 @@ impl Resolver {
     ) -> Option<Vec<(Origin, Poly)>> {
         let error = self.error(&name.value);
         let function = error.and_then(|e| functions.position(|f| f.error == e));
-        if let (Some(point), Some(function)) = (point, function) {
-            let axis = axes.iter().find(|a| a.motion.contains(&functions[function].error))?;
+        let moved = |f: FunctionId| axes.iter().find(|a| a.motion.contains(&functions[f].error));
+        if let (Some(point), Some((function, axis))) = (point, function.and_then(|f| Some((f, moved(f)?)))) {
             let coordinate = self.point(point, axis)?;
             let values = functions[function].basis.along(&coordinate, &self.alphabet);
             let values = self.exact(&point.span, values)?;
@@ -121,7 +121,7 @@ impl Resolver {
             return Some(terms);
         }
         let moves = |e| axes.iter().any(|a| a.motion.contains(&e));
-        let constant = error.filter(|e| point.is_none() && !moves(*e)).map(Origin::Constant);
+        let constant = error.filter(|e| point.is_none() && function.is_none() && !moves(*e)).map(Origin::Constant);
         let coefficient = || {
             let of = |(function, f): (FunctionId, &ErrorFunction)| {
                 let suffix = name.value.strip_prefix(self.alphabet.error_name(f.error))?;

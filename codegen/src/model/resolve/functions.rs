@@ -26,6 +26,13 @@ impl Resolver {
         }
         for text in &draft.estimate {
             let error = self.error(&text.value);
+            if let Some(error) = error.filter(|e| axes.iter().any(|axis| axis.location.contains(&Some(*e)))) {
+                if functions.iter().all(|f| f.error != error) {
+                    let place = text.span.clone();
+                    functions.push(ErrorFunction { error, basis: Basis::one(), estimate: true, place });
+                }
+                continue;
+            }
             match functions.iter_mut().find(|f| Some(f.error) == error) {
                 Some(f) if !f.basis.functions().is_empty() => f.estimate = true,
                 None if error

@@ -35,7 +35,7 @@ impl Choices {
     /// [`SetupError`] where they make no model.
     pub fn all(draft: &Draft, model: &Model, functions: &[FunctionId]) -> Result<Self, SetupError> {
         let mut axes: Vec<AxisId> = Vec::new();
-        for (axis, _) in functions.iter().filter_map(|f| model.axis_of(model.functions[*f].error)) {
+        for (axis, _) in functions.iter().filter_map(|f| model.axis_of_function(*f)) {
             if !axes.contains(&axis) && model.axis(axis).is_some_and(|a| a.kind == AxisKind::Rotary) {
                 axes.push(axis);
             }

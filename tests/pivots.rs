@@ -1,0 +1,191 @@
+//! Where the rotary axes are: probing programs, location errors, and what controls take.
+
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
+}
+
+fn succeeds(directory: &Path, arguments: &[&str]) -> String {
+    let output = trunnion(directory, arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn refused(directory: &Path, arguments: &[&str]) -> String {
+    let output = trunnion(directory, arguments);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+type Place = [f64; 3];
+
+/// A place turned about x, y or z.
+fn turned(p: Place, about: usize, angle: f64) -> Place {
+    let (i, j) = ((about + 1) % 3, (about + 2) % 3);
+    let (s, c) = angle.sin_cos();
+    let mut q = p;
+    (q[i], q[j]) = (c * p[i] - s * p[j], s * p[i] + c * p[j]);
+    q
+}
+
+/// The numbers in brackets of a call.
+fn numbers(line: &str) -> Vec<f64> {
+    line.split('[').skip(1).map(|part| part.split(']').next().unwrap().parse().unwrap()).collect()
+}
+
+#[test]
+fn programs_go_where_the_sphere_is() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    let cases = [("ac-trunnion-probe", "A", 0, [0.0, 120.0, 70.0]), ("bc-trunnion-probe", "B", 1, [120.0, 0.0, 70.0])];
+    for (model, axis, about, ball) in cases {
+        let new = ["new", model, "--set", "L=120", "--set", "H=70", "--positions", "7", "--touch-mm", "12.5", "--out"];
+        succeeds(at, &[&new[..], &[model]].concat());
+        let plan = fs::read_to_string(at.join(model).join("measuring-plan.md")).unwrap();
+        assert!(plan.contains("A sphere probed at 7 positions") && plan.contains("with 7 readings a run"), "{plan}");
+        for run in [axis.to_lowercase().as_str(), "c", "c-tilted"] {
+            let program = fs::read_to_string(at.join(model).join(format!("{run}.linuxcnc.ngc"))).unwrap();
+            assert!(program.contains("#<_radius> = 12.5 ;") && program.contains(&format!("(LOGOPEN,{run}.csv)")));
+            let calls: Vec<&str> = program.lines().filter(|line| line.starts_with("o300 call")).collect();
+            assert_eq!(calls.len(), 7);
+            let words = program.lines().filter(|line| line.starts_with(&format!("G0 {axis}")));
+            for (words, call) in words.zip(&calls) {
+                let angle = |name: &str| {
+                    let word = words.split(' ').find_map(|word| word.strip_prefix(name)).unwrap();
+                    word.parse::<f64>().unwrap().to_radians()
+                };
+                let sphere = turned(turned(ball, 2, angle("C")), about, angle(axis));
+                let called = numbers(call);
+                // Words have five decimals of a degree.
+                assert!((0..3).all(|i| (called[i] - sphere[i]).abs() < 2e-5), "{model} {run}: {words}: {call}");
+                let swept = if run.starts_with('c') { angle("C") } else { angle(axis) };
+                assert!((called[3].to_radians() - swept).abs() < 1e-6);
+            }
+        }
+    }
+    // The spindle of a head stands still and has no word; nothing else is probed.
+    succeeds(at, &["new", "b-head-c-table-probe", "--positions", "6", "--out", "head"]);
+    let head = fs::read_to_string(at.join("head/b.linuxcnc.ngc")).unwrap();
+    assert!(
+        head.lines().any(|line| line == "G0 C0.00000 B-60.00000")
+            && !head.lines().any(|line| line.starts_with("G0") && line.contains('S'))
+    );
+    assert!(refused(at, &["new", "tilting-table-a", "--positions", "6", "--out", "none"]).contains("xyz"));
+    assert!(refused(at, &["new", "ac-trunnion-probe", "--positions", "2", "--out", "none"]).contains("3 to 1000"));
+    assert!(!at.join("none").exists());
+}
+
+/// A drawn machine, measured: its fit, and its truth in mm and rad.
+fn measured(at: &Path, model: &str) -> (Vec<String>, BTreeMap<String, f64>) {
+    succeeds(at, &["simulate", model, "--seed", "11", "--samples", "24", "--noise-um", "0.5", "--out", "m"]);
+    let truth: Value = serde_json::from_str(&fs::read_to_string(at.join("m/truth.json")).unwrap()).unwrap();
+    let number = |(name, value): (&String, &Value)| Some((name.clone(), value.as_f64()?));
+    let truth = truth.as_object().unwrap().iter().filter_map(number).collect();
+    let mut runs: Vec<String> = Vec::new();
+    for entry in fs::read_dir(at.join("m")).unwrap() {
+        let file = entry.unwrap().file_name().into_string().unwrap();
+        if let Some(run) = file.strip_suffix(".csv") {
+            runs.extend(["--run".to_owned(), format!("{run}=m/{file}")]);
+        }
+    }
+    (runs, truth)
+}
+
+#[test]
+fn location_errors_are_found_and_told_in_the_terms_of_a_control() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    let (runs, truth) = measured(at, "ac-trunnion-probe");
+    let command = |first: &[&str], more: &[&str]| {
+        let runs = runs.iter().map(String::as_str);
+        first.iter().copied().chain(runs).chain(more.iter().copied()).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let run = |first: &[&str], more: &[&str]| {
+        let words = command(first, more);
+        succeeds(at, &words.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    let fit: Value = serde_json::from_str(&run(&["fit", "ac-trunnion-probe"], &["--json"])).unwrap();
+    let mut found = BTreeMap::new();
+    for function in fit["functions"].as_array().unwrap() {
+        let name = function["name"].as_str().unwrap();
+        assert_eq!((&function["location_error"], &function["determined"]), (&true.into(), &true.into()), "{name}");
+        let [point] = function["points"].as_array().unwrap().as_slice() else { panic!("{name}: several points") };
+        let unit = if function["unit"] == "um" { 1e-3 } else { 1e-6 };
+        let [value, u95] = ["value", "u95"].map(|key| point[key].as_f64().unwrap() * unit);
+        assert!((value - truth[name]).abs() < 1.6 * u95, "{name}: {value} ± {u95}, truly {}", truth[name]);
+        found.insert(name.to_owned(), value);
+    }
+    assert_eq!(found.len(), 8);
+
+    let pins = ["--pin", "x-rot-point=20", "--pin", "y-rot-point=-35.5", "--pin", "y-offset=1"];
+    run(&["pivots", "ac-trunnion-probe", "--format", "linuxcnc", "--out", "pivots.hal"], &pins);
+    let hal = fs::read_to_string(at.join("pivots.hal")).unwrap();
+    let set = |pin: &str| {
+        let line = hal.lines().find_map(|line| line.strip_prefix(&format!("setp xyzac-trt-kins.{pin} "))).unwrap();
+        line.parse::<f64>().unwrap()
+    };
+    // Where C is with A at zero, and where A is beside it.
+    for (pin, expected) in [
+        ("x-rot-point", 20.0 + found["EX0C"]),
+        ("y-rot-point", -35.5 + found["EY0A"] + found["EY0C"]),
+        ("z-rot-point", found["EZ0A"]),
+        ("y-offset", 1.0 - found["EY0C"]),
+    ] {
+        assert!((set(pin) - expected).abs() < 1e-6, "{pin}: {} and not {expected}", set(pin));
+    }
+    assert!(["EB0A", "EC0A", "EA0C", "EB0C"].iter().all(|name| hal.contains(&format!("# no pin for {name}"))));
+
+    run(&["pivots", "ac-trunnion-probe", "--format", "sinumerik", "--out", "chain.txt"], &[]);
+    let chain = fs::read_to_string(at.join("chain.txt")).unwrap();
+    let three = |start: &str| {
+        let line = chain.lines().find(|line| line.contains(start)).unwrap();
+        let inside = line.split_once('(').unwrap().1.trim_end_matches(')');
+        inside.split(", ").map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>()
+    };
+    assert_eq!(three("offset before A")[1..], [found["EY0A"], found["EZ0A"]].map(|x| (x * 1e6).round() / 1e6));
+    for (axis, n, about) in [("A", [1.0, 0.0, 0.0], ["EB0A", "EC0A"]), ("C", [0.0, 0.0, 1.0], ["EA0C", "EB0C"])] {
+        let first = if axis == "A" { 1 } else { 0 };
+        let leaning = about.iter().enumerate().fold(n, |n, (i, name)| turned(n, first + i, found[*name]));
+        let by = three(&format!("direction of {axis}"));
+        // To first order.
+        assert!((0..3).all(|i| (n[i] + by[i] - leaning[i]).abs() < 2e-8), "{axis}: {by:?}");
+    }
+
+    // Constants of a volumetric table; none of a single axis' table.
+    run(&["export", "ac-trunnion-probe", "--format", "volcomp", "--out", "volcomp.csv"], &[]);
+    assert!(fs::read_to_string(at.join("volcomp.csv")).unwrap().contains("X0C"));
+    let words =
+        command(&["export", "ac-trunnion-probe", "--function", "EX0C", "--format", "linuxcnc", "--out", "x"], &[]);
+    assert!(refused(at, &words.iter().map(String::as_str).collect::<Vec<_>>()).contains("trunnion pivots"));
+    for (more, told) in [
+        (["--format", "linuxcnc", "--pin", "x-offset=1"], "no pin of xyzac-trt-kins"),
+        (["--format", "linuxcnc", "--pin", "x-rot-point"], "NAME=MM"),
+        (["--format", "sinumerik", "--pin", "x-rot-point=1"], "no effect"),
+    ] {
+        let words = command(&["pivots", "ac-trunnion-probe", "--out", "no"], &more);
+        assert!(refused(at, &words.iter().map(String::as_str).collect::<Vec<_>>()).contains(told), "{told}");
+    }
+}
+
+#[test]
+fn what_has_no_kinematics_is_refused_and_what_is_no_location_error_has_no_pivots() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    let (runs, _) = measured(at, "b-head-c-table-probe");
+    let words =
+        [&["pivots", "b-head-c-table-probe", "--format", "linuxcnc", "--out", "no"].map(str::to_owned)[..], &runs]
+            .concat();
+    assert!(refused(at, &words.iter().map(String::as_str).collect::<Vec<_>>()).contains("no kinematics of LinuxCNC"));
+    fs::remove_dir_all(at.join("m")).unwrap();
+    let (runs, _) = measured(at, "rotary-table-c-rtest");
+    let words =
+        [&["pivots", "rotary-table-c-rtest", "--format", "sinumerik", "--out", "no"].map(str::to_owned)[..], &runs]
+            .concat();
+    assert!(refused(at, &words.iter().map(String::as_str).collect::<Vec<_>>()).contains("location errors"));
+    assert!(!at.join("no").exists());
+}
