@@ -9,7 +9,7 @@ use trunnion::data::Radius;
 use trunnion::study::SetupError;
 use trunnion_codegen::emit::c::Precision;
 use trunnion_codegen::emit::rust::{self, Support};
-use trunnion_codegen::emit::{c99, equations, numpy};
+use trunnion_codegen::emit::{c99, equations, hal, numpy};
 use trunnion_codegen::problems::derivation;
 
 /// Arguments of `derive`.
@@ -44,6 +44,8 @@ enum Emit {
     Rust,
     /// Regressors and a streaming solver as C99, in one file.
     C,
+    /// Regressors and solver as a LinuxCNC component, for halcompile.
+    Hal,
     /// Regressors as a Python module on NumPy.
     Numpy,
     /// Everything for a program.
@@ -71,6 +73,7 @@ impl DeriveArguments {
             Emit::Latex => equations::latex(&description, &derivation),
             Emit::Rust => rust::model_source(&description, &derivation, &Support::of_solver())?,
             Emit::C => c99::sources(&description, &derivation, Precision::Double)?.single(),
+            Emit::Hal => hal::component(&description, &derivation)?.source,
             Emit::Numpy => numpy::model_source(&description, &derivation)?,
             Emit::Json => format!("{:#}\n", equations::json(&description, &derivation)),
         })?)

@@ -17,6 +17,7 @@ use trunnion::plot::PlotError;
 use trunnion::report::ReportError;
 use trunnion::study::plan::design::DesignError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
+use trunnion_codegen::emit::hal::ComponentError;
 use trunnion_codegen::graph::Unbound;
 
 /// Why a command was refused. What the library says stands, but for the remedies that are options here.
@@ -60,6 +61,8 @@ pub enum Refused {
     Study(#[from] StudyError),
     #[error("the derived row is wrong: {0}")]
     Unbound(#[from] Unbound),
+    #[error(transparent)]
+    Component(#[from] ComponentError),
     #[error(transparent)]
     Output(#[from] OutputError),
     #[error("no model `{0}` in the catalogue and no such file\n  expected a model file or one of {1}")]

@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use trunnion_codegen::emit::{c::Precision, c99, numpy, rust};
 
-fn folder(of: &str) -> PathBuf {
+pub fn folder(of: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("names").join(of);
     std::fs::create_dir_all(&folder).unwrap();
     folder
 }
 
 /// What a command prints, or `None` where there is no such command and CI does not ask for it.
-fn ran(command: &mut Command) -> Option<String> {
+pub fn ran(command: &mut Command) -> Option<String> {
     let Output { status, stdout, stderr } = match command.output() {
         Ok(output) => output,
         Err(error) => {

@@ -1,6 +1,7 @@
 //! Words that mean something in a language, as names of everything in a model: whatever is printed compiles without a warning,
 //! runs, and gives what the exact polynomials give.
 
+mod hal;
 mod languages;
 mod machines;
 mod texts;

@@ -1,5 +1,5 @@
 //! Printers: equations for people from the exact polynomials ([`equations`]), source for compilers from the graph ([`rust`],
-//! [`c`], [`numpy`]).
+//! [`c`], [`c99`], [`hal`], [`numpy`]).
 //!
 //! A printed function does exactly the operations of its
 //! [`Program`](crate::graph::Program), in that order, so that all languages round alike but for their sine and cosine.
@@ -8,6 +8,7 @@ pub mod c;
 pub mod c99;
 pub mod equations;
 mod function;
+pub mod hal;
 mod header;
 mod infix;
 mod layout;

@@ -3,7 +3,7 @@
 use super::numbers::{derived, read};
 use trunnion_codegen::catalogue::MODELS;
 use trunnion_codegen::emit::rust::{self, Support};
-use trunnion_codegen::emit::{c, c99, equations, numpy};
+use trunnion_codegen::emit::{c, c99, equations, hal, numpy};
 
 fn bind(check: impl FnOnce()) {
     let mut settings = insta::Settings::clone_current();
@@ -18,6 +18,13 @@ fn snapshot(name: String, text: &str) {
     let long = text.lines().find(|line| line.chars().count() > 120);
     assert_eq!(long, None, "{name}: a line of over 120 characters");
     insta::assert_snapshot!(name, text);
+}
+
+/// A component without its solver, which is C99's.
+fn around_the_solver(component: &str) -> String {
+    let (declared, rest) = component.split_once("\n;;\n").unwrap();
+    let (_, own) = rest.split_once("#define FUNCTION").unwrap();
+    format!("{declared}\n;;\n[…]\n#define FUNCTION{own}")
 }
 
 #[test]
@@ -43,6 +50,7 @@ fn every_form_of_two_models() {
             let c = c99::sources(&model, &derivation, c::Precision::Double).unwrap();
             snapshot(format!("{name}.h"), &c.header);
             snapshot(format!("{name}.c"), &c.source);
+            snapshot(format!("{name}.hal"), &around_the_solver(&hal::component(&model, &derivation).unwrap().source));
             snapshot(format!("{name}.numpy"), &numpy::model_source(&model, &derivation).unwrap());
         }
         let (model, derivation) = read(include_str!("everything.toml"));

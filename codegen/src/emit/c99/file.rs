@@ -1,39 +1,48 @@
 //! The names of one C file.
 
 use crate::emit::c::{self, C99, Precision};
-use crate::emit::names::Scope;
+use crate::emit::names::{HEADERS, Rules, Scope, Words, abbreviated};
 
 pub(super) const HEADER: &str = include_str!("solver.h.in");
 pub(super) const SOURCE: &str = include_str!("solver.c.in");
 
-/// Stems of the standard headers: a file beside them may not be called so.
-#[rustfmt::skip]
-const HEADERS: &[&str] = &[
-    "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits", "locale", "math",
-    "setjmp", "signal", "stdalign", "stdarg", "stdatomic", "stdbit", "stdbool", "stdckdint", "stddef", "stdint",
-    "stdio", "stdlib", "stdnoreturn", "string", "tgmath", "threads", "time", "uchar", "wchar", "wctype",
-];
+/// What a file is for: what its names keep clear of.
+pub(in crate::emit) struct Kind {
+    pub rules: Rules,
+    /// What it may not be called.
+    pub stems: &'static Words,
+    /// The longest that its prefix may be.
+    pub longest: usize,
+    /// A template whose names it has beside those of the solver.
+    pub template: &'static str,
+}
+
+/// A header and a source of their own.
+pub(super) const PLAIN: Kind = Kind { rules: c::RULES, stems: &HEADERS, longest: usize::MAX, template: "" };
 
 /// The names of one file: all begin with its prefix, so that several files can be in one program.
-pub(super) struct File {
+pub(in crate::emit) struct File {
     pub prefix: String,
     pub scope: Scope,
     pub dialect: C99,
 }
 
 impl File {
-    pub fn new(model: &str, real: Precision) -> Self {
-        let plain = c::RULES.sanitised(&model.to_lowercase());
-        let plain = plain.trim_end_matches('_');
-        let mut prefix = plain.to_owned();
+    pub fn new(model: &str, real: Precision, kind: &Kind) -> Self {
+        let plain = kind.rules.sanitised(&model.to_lowercase());
+        let plain = abbreviated(plain.trim_end_matches('_'), kind.longest);
+        let templates = [HEADER, SOURCE, kind.template];
+        let own = |prefix: &str| templates.iter().flat_map(|text| own_names(text, prefix)).collect::<Vec<_>>();
+        let taken =
+            |prefix: &str| kind.stems.contains(prefix) || own(prefix).iter().any(|name| kind.rules.is_word(name));
+        let mut prefix = plain.clone();
         let mut number = 2;
-        let own =
-            |prefix: &str| [HEADER, SOURCE].into_iter().flat_map(|text| own_names(text, prefix)).collect::<Vec<_>>();
-        while HEADERS.contains(&prefix.as_str()) || own(&prefix).iter().any(|name| c::RULES.is_word(name)) {
-            prefix = format!("{plain}_{number}");
+        while taken(&prefix) {
+            let end = format!("_{number}");
+            prefix = abbreviated(&plain, kind.longest - end.len()) + &end;
             number += 1;
         }
-        let mut scope = Scope::new(c::RULES, &own(&prefix));
+        let mut scope = Scope::new(kind.rules, &own(&prefix));
         let whole_turns = scope.claim(&format!("{prefix}_whole_turns"));
         Self { prefix, scope, dialect: C99 { real, whole_turns } }
     }
@@ -74,7 +83,7 @@ mod tests {
 
     #[test]
     fn a_prefix_leaves_the_headers_their_names() {
-        let prefix = |model: &str| File::new(model, Precision::Double).prefix;
+        let prefix = |model: &str| File::new(model, Precision::Double, &PLAIN).prefix;
         assert_eq!(["Table-1", "math", "fe", "a__b-"].map(prefix), ["table_1", "math_2", "fe_2", "a_b"]);
     }
 }

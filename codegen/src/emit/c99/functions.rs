@@ -2,7 +2,7 @@
 
 use super::file::File;
 use super::{c, model};
-use crate::emit::function::Function;
+use crate::emit::function::{Function, Input};
 use crate::emit::layout::{listed, prose};
 use crate::emit::model::EstimatedFunction;
 use crate::graph::{Symbol, Unbound};
@@ -15,6 +15,22 @@ use crate::model::Model;
 pub(super) struct Printed {
     pub declarations: String,
     pub definitions: String,
+    pub pushes: Vec<Push>,
+    pub values: Vec<Value>,
+}
+
+/// The function that takes a sample of a run: the fit, `inputs`, the reading, the known functions there.
+pub(in crate::emit) struct Push {
+    pub run: RunId,
+    pub called: String,
+    pub inputs: Vec<Input>,
+}
+
+/// The function that evaluates an estimated function: the estimate, the lengths, the coordinate unless it is a location
+/// error, where value and standard deviation go.
+pub(in crate::emit) struct Value {
+    pub function: FunctionId,
+    pub called: String,
 }
 
 pub(super) fn functions(model: &Model, derivation: &Derivation, file: &mut File) -> Result<Printed, Unbound> {
@@ -85,11 +101,11 @@ fn push(
         printed.definitions += &format!("    {reading} -= {factors}[{at}] * {known};\n");
     }
     printed.definitions += &format!("    return {prefix}_push({fit}, {all}, {reading}, 1);\n}}\n");
+    printed.pushes.push(Push { run: at, called: push, inputs: function.inputs.clone() });
 }
 
 fn value(printed: &mut Printed, estimated: EstimatedFunction, file: &mut File) {
-    let places = estimated.base;
-    let function = estimated.basis;
+    let EstimatedFunction { function: of, basis: function, base: places } = estimated;
     let n = places.len();
     let (basis, called) = (file.claim("basis_of", &function.name), file.claim("value_of", &function.name));
     let (prefix, upper, real) = (&file.prefix, file.upper(), file.dialect.real);
@@ -147,4 +163,5 @@ fn value(printed: &mut Printed, estimated: EstimatedFunction, file: &mut File) {
 }}
 "
     );
+    printed.values.push(Value { function: of, called });
 }

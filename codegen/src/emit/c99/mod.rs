@@ -6,7 +6,9 @@
 mod file;
 mod functions;
 
-use file::{File, HEADER, SOURCE};
+pub(super) use file::Kind;
+use file::{File, HEADER, PLAIN, SOURCE};
+pub(super) use functions::{Push, Value};
 
 use super::c::{self, Precision};
 use super::header;
@@ -40,7 +42,23 @@ impl Sources {
 /// # Errors
 /// An expression depends on a symbol that is neither a constant nor the run's sweep.
 pub fn sources(model: &Model, derivation: &Derivation, real: Precision) -> Result<Sources, Unbound> {
-    let mut file = File::new(&model.name, real);
+    Ok(printed(model, derivation, real, &PLAIN)?.sources)
+}
+
+/// The two files of a model, and what its own functions are called there.
+pub(super) struct Printed {
+    pub sources: Sources,
+    pub pushes: Vec<Push>,
+    pub values: Vec<Value>,
+}
+
+pub(super) fn printed(
+    model: &Model,
+    derivation: &Derivation,
+    real: Precision,
+    kind: &Kind,
+) -> Result<Printed, Unbound> {
+    let mut file = File::new(&model.name, real, kind);
     let printed = functions::functions(model, derivation, &mut file)?;
     let (prefix, upper) = (file.prefix.as_str(), file.upper());
     let names: Vec<String> = derivation.base.iter().map(|base| literal(&base.name)).collect();
@@ -61,7 +79,7 @@ pub fn sources(model: &Model, derivation: &Derivation, real: Precision) -> Resul
             .replace("@model@", &c::commented(&model.name))
     };
     let head = header("//", &model.name);
-    Ok(Sources {
+    let sources = Sources {
         header: head.clone() + &fill(HEADER),
         source: head
             + &include_line(prefix)
@@ -69,7 +87,8 @@ pub fn sources(model: &Model, derivation: &Derivation, real: Precision) -> Resul
             + &c::support_in(&printed.definitions, &file.dialect)
             + &printed.definitions,
         prefix: file.prefix,
-    })
+    };
+    Ok(Printed { sources, pushes: printed.pushes, values: printed.values })
 }
 
 fn include_line(prefix: &str) -> String {

@@ -2,7 +2,7 @@
 
 mod words;
 
-pub(super) use words::{C, PYTHON, RUST, Words};
+pub(super) use words::{C, HAL, HEADERS, MODULES, PYTHON, RUST, Words};
 
 use num_traits::One;
 use rustc_hash::FxHashSet;
@@ -65,17 +65,45 @@ impl Scope {
         self.claim_as(&self.rules.sanitised(wanted))
     }
 
+    /// `wanted` as the language allows it in at most `most` characters, or the next free name like it.
+    pub fn claim_within(&mut self, wanted: &str, most: usize) -> String {
+        // Room for a number, where one is needed.
+        const NUMBER: usize = 4;
+        let plain = self.rules.sanitised(wanted);
+        let fitting = abbreviated(&plain, most);
+        match self.is_free(&fitting) {
+            true => self.claim_as(&fitting),
+            false => self.claim_as(&abbreviated(&plain, most.saturating_sub(NUMBER))),
+        }
+    }
+
+    fn is_free(&self, name: &str) -> bool {
+        !self.rules.is_word(name) && !self.taken.contains(name)
+    }
+
     /// `plain`, which is a name, or the next free name like it.
     pub fn claim_as(&mut self, plain: &str) -> String {
         let mut name = plain.to_owned();
         let mut number = 2;
-        while self.rules.is_word(&name) || self.taken.contains(&name) {
+        while !self.is_free(&name) {
             name = format!("{}_{number}", plain.trim_end_matches('_'));
             number += 1;
         }
         self.taken.insert(name.clone());
         name
     }
+}
+
+/// A name in at most `most` characters, as its longest words leave off: `c_displacement_far` in 10 is `c_disp_far`.
+pub(super) fn abbreviated(name: &str, most: usize) -> String {
+    let mut words: Vec<&str> = name.split('_').collect();
+    while words.iter().map(|word| word.len()).sum::<usize>() + words.len().saturating_sub(1) > most {
+        match words.iter_mut().filter(|word| word.len() > 1).max_by_key(|word| word.len()) {
+            Some(longest) => *longest = &longest[..longest.len() - 1],
+            None => drop(words.pop()),
+        }
+    }
+    words.join("_")
 }
 
 /// Names for everything in a function; steps that are no temporaries have none.
@@ -91,7 +119,6 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// `called` is the function's own name in the scope around it.
     /// Of a function that is `called` so in the scope `around` it.
     pub fn new(function: &Function, called: &str, around: &Scope) -> Self {
         let program = &function.program;
@@ -142,5 +169,20 @@ fn angle_name(step: Step, inputs: &[String]) -> Option<String> {
     match angle {
         Value::Input(at) => Some(format!("{function}_{}", inputs.get(at as usize)?)),
         _ => Some(function.to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_fit() {
+        assert_eq!(abbreviated("separation", 10), "separation");
+        assert_eq!(abbreviated("c_displacement_opposite_x", 13), "c_disp_oppo_x");
+        assert_eq!(abbreviated("a_b_c_d_e_f", 3), "a_b");
+        let mut scope = Scope::new::<&str>(Rules { lower_case: true, places: true, words: &HAL }, &[]);
+        let claimed = ["along the way", "along-the-way", "along_the_ways", "for"].map(|w| scope.claim_within(w, 12));
+        assert_eq!(claimed, ["alon_the_way", "al_th_wa", "al_th_wa_2", "for_2"]);
     }
 }

@@ -8,6 +8,15 @@ pub(crate) type Words = LazyLock<FxHashSet<&'static str>>;
 /// C from C99 to C23 with its headers, GNU's dialects, and C++20, whose programs may include a printed header.
 pub(crate) static C: Words = LazyLock::new(|| words(include_str!("c.txt")));
 
+/// C in a realtime module of LinuxCNC: what halcompile, RTAPI and HAL give to its file, too.
+pub(crate) static HAL: Words = LazyLock::new(|| words(include_str!("hal.txt")).union(&C).copied().collect());
+
+/// Stems of the standard headers of C: a file beside them may not be called so.
+pub(crate) static HEADERS: Words = LazyLock::new(|| words(include_str!("headers.txt")));
+
+/// The realtime modules of LinuxCNC: a component may not be called so.
+pub(crate) static MODULES: Words = LazyLock::new(|| words(include_str!("modules.txt")));
+
 /// Python 3.
 pub(crate) static PYTHON: Words = LazyLock::new(|| words(include_str!("python.txt")));
 
