@@ -12,7 +12,7 @@ fuzz_target!(|bytes: &[u8]| {
     let all = Stated { unit: Some(Unit::Mm), ends_deg: Some((-20.0, 200.0)), overshoot_deg: 5.0, plane: None };
     let columns: Columns = "a=Angle [deg],dr=Radius [µm]".parse().expect("names");
     for (stated, columns) in [(&nothing, &Columns::default()), (&all, &columns)] {
-        let Ok(imported) = repeated(|| import(&file, "a", columns, stated)) else { continue };
+        let Ok(imported) = repeated(|| import(&file, Some("a"), columns, stated)) else { continue };
         finite(&imported);
         let kept = imported.imported.traces.iter().map(|trace| trace.kept());
         let (files, names) = native_files(&[(&file, &imported)], "a").expect("finite runs");
