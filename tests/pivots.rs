@@ -68,6 +68,30 @@ fn programs_go_where_the_sphere_is() {
             }
         }
     }
+    // The templates for other controls go to the same places.
+    let read = |file: &str| fs::read_to_string(at.join("ac-trunnion-probe").join(file)).unwrap();
+    let called: Vec<Vec<f64>> =
+        read("a.linuxcnc.ngc").lines().filter(|line| line.starts_with("o300 call")).map(numbers).collect();
+    let after = |line: &str, words: [&str; 4]| -> Vec<f64> {
+        let value = |word: &str| {
+            let rest = line.split_once(word).unwrap().1;
+            rest.split(' ').next().unwrap().parse().unwrap()
+        };
+        words.map(value).to_vec()
+    };
+    let fanuc = read("a.fanuc.nc");
+    let fanuc: Vec<_> = fanuc.lines().filter(|line| line.starts_with("G65 P9001 ")).collect();
+    let sinumerik = read("a.sinumerik.mpf");
+    let sinumerik: Vec<_> = sinumerik.lines().filter(|line| line.starts_with("R1=") && line.contains(" R4=")).collect();
+    assert_eq!(fanuc.iter().map(|line| after(line, [" X", " Y", " Z", " S"])).collect::<Vec<_>>(), called);
+    assert_eq!(sinumerik.iter().map(|line| after(line, ["R1=", " R2=", " R3=", " R4="])).collect::<Vec<_>>(), called);
+    let heidenhain = read("a.heidenhain.h");
+    let set = |q: usize| {
+        let value = move |line: &str| line.split_once(&format!(" Q{q} = ")).and_then(|(_, value)| value.parse().ok());
+        heidenhain.lines().filter_map(value).take(7).collect::<Vec<f64>>()
+    };
+    (1..=4).for_each(|q| assert_eq!(set(q), called.iter().map(|place| place[q - 1]).collect::<Vec<_>>(), "Q{q}"));
+    assert!([read("a.fanuc.nc"), read("a.sinumerik.mpf"), heidenhain.clone()].iter().all(|p| p.contains("UNVERIFIED")));
     // The spindle of a head stands still and has no word; nothing else is probed.
     succeeds(at, &["new", "b-head-c-table-probe", "--positions", "6", "--out", "head"]);
     let head = fs::read_to_string(at.join("head/b.linuxcnc.ngc")).unwrap();

@@ -79,6 +79,14 @@ proptest! {
     }
 
     #[test]
+    fn whole_numbers_of_all_digits_are_their_own(high in 1i64 << 52..1 << 53, low in -(1i64 << 53)..1 << 53, minus: bool) {
+        let [high, low] = [high, low].map(|part| part as f64);
+        let a = DoubleDouble::of(high * 4.0 * f64::EPSILON.recip()) + DoubleDouble::of(low);
+        let a = if minus { -a } else { a };
+        prop_assert_eq!([a.floor(), a.ceil(), a.trunc(), a.round()], [a; 4]);
+    }
+
+    #[test]
     fn what_is_printed_exactly_is_read_exactly(digits in any::<i64>(), places in 0..12i32) {
         let read: DoubleDouble = format!("{digits}e-{places}").parse().unwrap();
         let truth = BigRational::new(digits.into(), BigInt::from(10).pow(places as u32));

@@ -100,8 +100,7 @@ impl NewArguments {
                 let sweep = setup.model.alphabet.sweep_name(setup.model.runs[measurement.first()?].sweep);
                 Probing { name, title, path, sweep, radius: self.touch_mm }.text(control)
             };
-            for control in if probing { &[Control::LinuxCnc][..] } else { &Control::ALL } {
-                let control = *control;
+            for control in Control::ALL {
                 match text(control) {
                     Some(text) => files.add(project::program_file(name, control), text),
                     None => {

@@ -7,6 +7,7 @@
 
 mod control;
 mod probing;
+mod sphere;
 
 pub use control::Control;
 pub use probing::Probing;

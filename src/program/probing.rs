@@ -4,7 +4,7 @@
 //! touches is that of the equator, so that what the probe is late by falls out. Each sample is where the probe should have to go,
 //! by the model, less where it has to: the displacement of the tool's ball against the workpiece's.
 
-use super::{Control, Lines};
+use super::{Control, Lines, sphere};
 use crate::study::Path;
 use trunnion_codegen::model::AxisKind;
 
@@ -27,7 +27,7 @@ pub struct Probing<'a> {
 }
 
 impl Probing<'_> {
-    /// The program for a control; `None` of one for which there is none, and where X, Y and Z are not what the model moves.
+    /// The program for a control; `None` where X, Y and Z are not what the model moves, or an axis has a name that it does not take.
     pub fn text(&self, control: Control) -> Option<String> {
         let linear = |name: &str| {
             let own = |(other, kind): &(String, AxisKind)| other == name && *kind == AxisKind::Linear;
@@ -40,45 +40,61 @@ impl Probing<'_> {
         let named = |at: &usize| control.takes(&self.path.axes[*at].0);
         let turned: Vec<usize> =
             (0..self.path.axes.len()).filter(|at| rotary(at) && (named(at) || !stands(at))).collect();
-        if control != Control::LinuxCnc || !turned.iter().all(named) {
+        if !turned.iter().all(named) {
             return None;
         }
         // However the axes stand when it begins, and turn.
         let far = |point: &Vec<f64>| [x, y, z].map(|at| point[at].powi(2)).iter().sum::<f64>().sqrt();
         let highest = self.path.points.iter().map(far).fold(0.0, f64::max);
         let mut out = Lines::new(control);
+        out.begin(self.name);
+        if control == Control::Sinumerik {
+            out.line("DEF INT ERR");
+        }
         out.comment(&format!("{}: run {}, {} positions", self.title, self.name, self.path.points.len()));
-        out.comment(&format!(
-            "made by trunnion {}; run in LinuxCNC's simulation, NOT ON A MACHINE",
-            env!("CARGO_PKG_VERSION")
-        ));
+        out.comment(&format!("made by trunnion {}; {}", env!("CARGO_PKG_VERSION"), sphere::tried(control)));
         out.comment("axes are moved one by one, not as a tool's tip: leave the kinematics of the rotary axes off");
         out.comment("the zero point is the model's: set the work offset so that these coordinates hold");
-        out.comment("see that nothing is in the way, of the sphere's stem and the rotary axes neither; prove it at low override");
-        for (name, value, what) in [
+        out.comment(
+            "see that nothing is in the way, of the sphere's stem and the rotary axes neither; prove it at low override",
+        );
+        for (place, (name, value, what)) in [
             ("radius", self.radius, "half of the diameters of the sphere and of the probe's ball"),
             ("clear", 5.0, "how far from there a touch begins, and how far beyond it ends without one"),
             ("back", 0.3, "the way back before the second touch"),
             ("fast", 300.0, "feed of the first touch, mm/min"),
             ("slow", 30.0, "feed of the second"),
             ("safe", (highest + self.radius + ABOVE).ceil(), "height at which the rotary axes turn"),
-        ] {
-            out.line(&format!("#<_{name}> = {value} ; {what}"));
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            out.line(&sphere::setting(control, place, name, value, what));
         }
-        out.text.push('\n');
-        out.text += include_str!("sphere/linuxcnc.ngc");
-        out.line("G21 G90 G94 G17 G40 G49 G61");
-        out.line("G0 Z#<_safe>");
-        out.line(&format!("(LOGOPEN,{}.csv)", self.name));
-        out.line(&format!("(LOG,{}_deg,dx_mm,dy_mm,dz_mm)", self.sweep));
+        if control == Control::LinuxCnc {
+            out.text.push('\n');
+            sphere::part(control).lines().for_each(|line| out.line(line));
+        }
+        sphere::prepare(control).iter().for_each(|line| out.line(line));
+        out.line(sphere::safe(control));
+        let header = format!("{}_deg,dx_mm,dy_mm,dz_mm", self.sweep);
+        out.comment(&format!("readings: {header}"));
+        sphere::begin(control, self.name, &header).iter().for_each(|line| out.line(line));
         for (sweep, point) in self.path.sweeps.iter().zip(&self.path.points) {
             let word = |at: &usize| control.word(&self.path.axes[*at].0, point[*at].to_degrees());
-            out.line(&format!("G0 {}", turned.iter().map(word).collect::<Vec<_>>().join(" ")));
-            let place = [point[x], point[y], point[z], sweep.to_degrees()].map(|value| format!("[{:.6}]", value + 0.0));
-            out.line(&format!("o300 call {}", place.join(" ")));
+            out.line(&control.rapid(&turned.iter().map(word).collect::<Vec<_>>().join(" ")));
+            let place = [point[x], point[y], point[z], sweep.to_degrees()];
+            sphere::find(control, self.name, place).iter().for_each(|line| out.line(line));
         }
-        out.line("(LOGCLOSE)");
-        out.end(self.name);
+        sphere::end(control).iter().for_each(|line| out.line(line));
+        match control {
+            Control::LinuxCnc => out.end(self.name),
+            // Their part ends the program itself, before what it calls.
+            _ => {
+                sphere::part(control).lines().for_each(|line| out.line(line));
+                control.end(self.name).iter().filter(|line| *line != "M30").for_each(|line| out.line(line));
+            }
+        }
         Some(out.text)
     }
 }

@@ -54,9 +54,10 @@ pub fn plan(planned: &Planned) -> String {
 }
 
 /// Of programs that touch a sphere.
-const PROBED: &str = "The NC programs touch the sphere from above and from four sides at each position, and write the displacements \
-                      themselves.\nThey were run in LinuxCNC's simulation, not on a machine: see that neither the sphere's stem nor \
-                      anything else is in the way.\n";
+const PROBED: &str = "The NC programs touch the sphere from above and from four sides at each position, and write the displacements.\n\
+                      Those for LinuxCNC were run in its simulation; those for SINUMERIK, Heidenhain and Fanuc are templates that no \
+                      control has\nread: a Heidenhain stops for each row to be noted, a Fanuc prints its rows without commas. See that \
+                      neither the sphere's\nstem nor anything else is in the way.\n";
 
 /// Of programs that follow a path.
 const DRIVEN: &str = "The NC programs move in straight blocks that all take the same time, so that the sweep goes at a constant rate. They \
@@ -125,8 +126,7 @@ fn one(planned: &Planned, at: usize, measurement: &Measurement, path: &Path, as_
         let (low, high) = (format!("{:.2}", low + 0.0), format!("{:.2}", high + 0.0));
         let _ = writeln!(out, "* Axis {} goes from {low} to {high} {unit}.", cell(name));
     }
-    let controls = if planned.is_probed(measurement) { &[Control::LinuxCnc][..] } else { &Control::ALL };
-    let programs: Vec<String> = controls.iter().map(|control| format!("`{}`", program_file(name, *control))).collect();
+    let programs = Control::ALL.map(|control| format!("`{}`", program_file(name, control)));
     let _ = writeln!(out, "* Programs: {}.", cell(&programs.join(", ")));
     let readings: Vec<String> = planned.readings(measurement).iter().map(|file| format!("`{file}`")).collect();
     let _ = writeln!(out, "* Readings into {}.\n", cell(&readings.join(" and ")));

@@ -98,7 +98,11 @@ impl Float for DoubleDouble {
     }
 
     fn round(self) -> Self {
-        (self.abs() + 0.5.into()).floor() * self.signum()
+        // A half more would be rounded itself where the lower part has no digit for it.
+        let size = self.abs();
+        let whole = size.floor();
+        let up = if size - whole < 0.5.into() { 0.0 } else { 1.0 };
+        (whole + up.into()) * self.signum()
     }
 
     fn trunc(self) -> Self {
