@@ -96,7 +96,7 @@ fn programs_go_where_the_sphere_is() {
     succeeds(at, &["new", "b-head-c-table-probe", "--positions", "6", "--out", "head"]);
     let head = fs::read_to_string(at.join("head/b.linuxcnc.ngc")).unwrap();
     assert!(
-        head.lines().any(|line| line == "G0 C0.00000 B-60.00000")
+        head.lines().any(|line| line == "G0 C0.00000 B-54.00000")
             && !head.lines().any(|line| line.starts_with("G0") && line.contains('S'))
     );
     assert!(refused(at, &["new", "tilting-table-a", "--positions", "6", "--out", "none"]).contains("xyz"));
