@@ -76,7 +76,7 @@ pub fn function(setup: &Setup, predicted: &Predicted) -> String {
     let (letter, at) = (&axis.coordinate, of.from_inner(largest.at));
     let (std, u95) = (unit.from_inner(largest.std), unit.from_inner(largest.u95));
     let told = &predicted.told.words;
-    let located = setup.model.functions[predicted.function].basis.is_one();
+    let located = setup.model.functions[predicted.function].is_location();
     let at = if located { String::new() } else { format!(" at {letter} = {at:.0} {of}") };
     format!("{name}: std at most {std:.3} {unit} (95 % ± {u95:.3}){at}, {told}")
 }

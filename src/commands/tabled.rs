@@ -8,7 +8,6 @@ use trunnion::study::{ByDirection, Covered, Failing, Fit, NotByDirection, Observ
 use trunnion_codegen::algebra::ErrorId;
 use trunnion_codegen::identify::{Extent, Origin};
 use trunnion_codegen::ids::{BaseId, FunctionId};
-use trunnion_codegen::model::{Component, iso_location};
 
 /// Steps of a table that is asked for without any, degrees.
 const STEP_DEG: f64 = 5.0;
@@ -70,7 +69,7 @@ impl Asked<'_> {
     pub fn functions(&self, setup: &Setup) -> Result<Vec<FunctionId>, Refused> {
         let all: Vec<FunctionId> = setup.estimated().collect();
         let names = || all.iter().map(|f| setup.function_name(*f)).collect::<Vec<_>>().join(", ");
-        let is_location = |f: &FunctionId| setup.model.functions[*f].basis.is_one();
+        let is_location = |f: &FunctionId| setup.model.functions[*f].is_location();
         let functions = match self.function {
             // Location errors are constants of their own.
             None if self.all => all.iter().copied().filter(|f| !is_location(f)).collect(),
@@ -222,7 +221,7 @@ impl Asked<'_> {
             Some((name, fit.values[at] / setup.number(factor)))
         };
         let mut constants: Vec<Constant> = fit.base.iter().enumerate().filter_map(constant).collect();
-        let estimated = setup.estimated().filter(|f| setup.model.functions[*f].basis.is_one());
+        let estimated = setup.estimated().filter(|f| setup.model.functions[*f].is_location());
         for function in estimated.filter(|f| determined(setup, fit, *f).is_ok()) {
             let name = location(setup, setup.model.functions[function].error);
             constants.extend(name.map(|name| (name, fit.function(setup, function, 0.0).0)));
@@ -233,14 +232,11 @@ impl Asked<'_> {
 
 /// `Y0A` of the location error EY0A.
 fn location(setup: &Setup, error: ErrorId) -> Option<String> {
-    setup.model.axes().find_map(|axis| {
-        let at = axis.location.iter().position(|own| *own == Some(error))?;
-        Some(iso_location(Component::ALL[at], &axis.name).trim_start_matches('E').to_owned())
-    })
+    setup.model.iso_location(error).map(|iso| iso.trim_start_matches('E').to_owned())
 }
 
 fn estimates_locations(setup: &Setup) -> bool {
-    setup.estimated().any(|f| setup.model.functions[f].basis.is_one())
+    setup.estimated().any(|f| setup.model.functions[f].is_location())
 }
 
 fn not_measured(option: &'static str, given: &str, covered: &Covered, unit: Unit) -> Refused {

@@ -91,7 +91,7 @@ fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated) -> Truth
         let coordinate = format!("{}_{of}", axis.coordinate);
         Some(TruthFunction { name: setup.function_name(f), unit, coordinate, points })
     };
-    let located = |f: &FunctionId| setup.model.functions[*f].basis.is_one();
+    let located = |f: &FunctionId| setup.model.functions[*f].is_location();
     let names = setup.derivation.base.iter().map(|b| b.name.clone());
     let mut constants: Vec<(String, f64)> = names.zip(simulated.machine.base(setup)).collect();
     for function in setup.estimated().filter(located) {

@@ -1,11 +1,11 @@
 //! Where the rotary axes are, as a control's kinematics take it: from location errors that were estimated.
 
-use super::digits::decimal;
+use super::digits::{comments, decimal};
 use crate::study::{Curve, Setup};
 use thiserror::Error;
 use trunnion_codegen::identify::Extent;
 use trunnion_codegen::model::{AxisKind, Component, Model, iso_location};
-use trunnion_codegen::quantity::{Quantity, Unit};
+use trunnion_codegen::quantity::Quantity;
 
 /// A location error that was estimated.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,11 +45,9 @@ pub enum NoPivots {
 pub fn located(setup: &Setup, curves: &[Curve]) -> Vec<Located> {
     let one = |curve: &Curve| {
         let function = &setup.model.functions[curve.function];
-        let (_, axis) = setup.model.axis_of_function(curve.function).filter(|_| function.basis.is_one())?;
-        let at = axis.location.iter().position(|own| *own == Some(function.error))?;
+        let iso = setup.model.iso_location(function.error)?;
         let point = curve.points.first().filter(|_| curve.told.extent == Extent::Determined)?;
         let [value, u95] = [point.value, point.u95].map(|x| curve.unit.to_inner(x));
-        let iso = iso_location(Component::ALL[at], &axis.name);
         Some(Located { iso, quantity: setup.quantity(curve.function), value, u95 })
     };
     curves.iter().filter_map(one).collect()
@@ -112,14 +110,16 @@ pub fn linuxcnc(
         return Err(NoPivots::NoPin { pin: pin.clone(), module, pins });
     }
     let found = |name: &str| located.iter().find(|own| own.iso == name);
-    let mut missing: Vec<String> =
-        pins.iter().flat_map(|(_, sum)| sum.iter()).map(|(name, _)| (*name).to_owned()).collect();
-    missing.retain(|name| found(name).is_none());
-    missing.dedup();
+    let mut missing: Vec<String> = Vec::new();
+    for (name, _) in pins.iter().flat_map(|(_, sum)| sum.iter()).filter(|(name, _)| found(name).is_none()) {
+        if missing.iter().all(|other| other != name) {
+            missing.push((*name).to_owned());
+        }
+    }
     if !missing.is_empty() {
         return Err(NoPivots::Missing(missing));
     }
-    let mut text: String = notes.iter().map(|note| format!("# {note}\n")).collect();
+    let mut text = comments("#", notes);
     for (pin, sum) in pins {
         let before = now.iter().find(|(name, _)| name == pin).map_or(0.0, |(_, value)| *value);
         let change: f64 = sum.iter().filter_map(|(name, factor)| Some(found(name)?.value * factor)).sum();
@@ -129,13 +129,13 @@ pub fn linuxcnc(
         text += &format!("setp {module}.{pin} {}\n", decimal(before + change, 6));
     }
     let used = |own: &&Located| pins.iter().any(|(_, sum)| sum.iter().any(|(name, _)| *name == own.iso));
-    let left = located.iter().filter(|own| !used(own)).map(|own| format!("# no pin for {}\n", words(own)));
-    Ok(text + &left.collect::<String>())
+    let left = located.iter().filter(|own| !used(own)).map(|own| format!("no pin for {}", words(own)));
+    Ok(text + &comments("#", &left.collect::<Vec<_>>()))
 }
 
 /// Offsets and directions for the kinematic chain of a SINUMERIK, as comments for a person to enter.
 pub fn sinumerik(model: &Model, located: &[Located], notes: &[String]) -> String {
-    let mut text: String = notes.iter().map(|note| format!("; {note}\n")).collect();
+    let mut text = comments(";", notes);
     text += "; NOT VERIFIED ON A CONTROL. The control has the elements of the chain under indices of its own: what is to be added\n\
              ; to the offset before each axis, mm, and what to the vector of its direction, whose length stays 1 to first order\n";
     for axis in model.axes().filter(|axis| axis.kind == AxisKind::Rotary) {
@@ -160,10 +160,21 @@ pub fn sinumerik(model: &Model, located: &[Located], notes: &[String]) -> String
 pub fn words(own: &Located) -> String {
     let unit = own.quantity.deviation();
     let [value, u95] = [own.value, own.u95].map(|x| unit.from_inner(x));
-    let unit = if unit == Unit::Um { "um" } else { "urad" };
     format!("{} = {value:.2} +- {u95:.2} {unit}", own.iso)
 }
 
 fn listed(names: &[String]) -> String {
     if names.is_empty() { "none".to_owned() } else { names.join(", ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_named_once() {
+        let setup = Setup::from_catalogue("ac-trunnion-probe", &[]).unwrap();
+        let missing = ["EX0C", "EY0A", "EY0C", "EZ0A"].map(str::to_owned).to_vec();
+        assert_eq!(linuxcnc(&setup.model, &[], &[], &[]), Err(NoPivots::Missing(missing)));
+    }
 }

@@ -83,12 +83,22 @@ impl Control {
         }
     }
 
+    /// Ends a program that goes no further.
     pub(super) fn end(self, name: &str) -> Vec<String> {
+        let stop = match self {
+            Self::LinuxCnc => Some("M2"),
+            Self::Sinumerik | Self::Fanuc => Some("M30"),
+            Self::Heidenhain => None,
+        };
+        stop.map(str::to_owned).into_iter().chain(self.close(name)).collect()
+    }
+
+    /// The last line of a file that has one.
+    pub(super) fn close(self, name: &str) -> Option<String> {
         match self {
-            Self::LinuxCnc => vec!["M2".to_owned()],
-            Self::Sinumerik => vec!["M30".to_owned()],
-            Self::Heidenhain => vec![format!("END PGM {} MM", plain(name))],
-            Self::Fanuc => vec!["M30".to_owned(), "%".to_owned()],
+            Self::LinuxCnc | Self::Sinumerik => None,
+            Self::Heidenhain => Some(format!("END PGM {} MM", plain(name))),
+            Self::Fanuc => Some("%".to_owned()),
         }
     }
 

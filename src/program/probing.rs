@@ -48,9 +48,7 @@ impl Probing<'_> {
         let highest = self.path.points.iter().map(far).fold(0.0, f64::max);
         let mut out = Lines::new(control);
         out.begin(self.name);
-        if control == Control::Sinumerik {
-            out.line("DEF INT ERR");
-        }
+        sphere::declared(control).iter().for_each(|line| out.line(line));
         out.comment(&format!("{}: run {}, {} positions", self.title, self.name, self.path.points.len()));
         out.comment(&format!("made by trunnion {}; {}", env!("CARGO_PKG_VERSION"), sphere::tried(control)));
         out.comment("axes are moved one by one, not as a tool's tip: leave the kinematics of the rotary axes off");
@@ -71,10 +69,7 @@ impl Probing<'_> {
         {
             out.line(&sphere::setting(control, place, name, value, what));
         }
-        if control == Control::LinuxCnc {
-            out.text.push('\n');
-            sphere::part(control).lines().for_each(|line| out.line(line));
-        }
+        sphere::before(control).lines().for_each(|line| out.line(line));
         sphere::prepare(control).iter().for_each(|line| out.line(line));
         out.line(sphere::safe(control));
         let header = format!("{}_deg,dx_mm,dy_mm,dz_mm", self.sweep);
@@ -87,14 +82,8 @@ impl Probing<'_> {
             sphere::find(control, self.name, place).iter().for_each(|line| out.line(line));
         }
         sphere::end(control).iter().for_each(|line| out.line(line));
-        match control {
-            Control::LinuxCnc => out.end(self.name),
-            // Their part ends the program itself, before what it calls.
-            _ => {
-                sphere::part(control).lines().for_each(|line| out.line(line));
-                control.end(self.name).iter().filter(|line| *line != "M30").for_each(|line| out.line(line));
-            }
-        }
+        sphere::behind(control).lines().for_each(|line| out.line(line));
+        control.close(self.name).iter().for_each(|line| out.line(line));
         Some(out.text)
     }
 }

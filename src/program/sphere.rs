@@ -2,6 +2,11 @@
 
 use super::Control;
 
+/// What has to stand before everything else.
+pub(super) fn declared(control: Control) -> &'static [&'static str] {
+    if control == Control::Sinumerik { &["DEF INT ERR"] } else { &[] }
+}
+
 /// What is set at a program's beginning, with what each value is: a register of its own on controls whose variables have no names.
 pub(super) fn setting(control: Control, place: usize, name: &str, value: f64, what: &str) -> String {
     let register = 101 + place;
@@ -79,10 +84,15 @@ pub(super) fn end(control: Control) -> &'static [&'static str] {
     }
 }
 
-/// The part that is the same for all positions: LinuxCNC has it before them, the others behind, with the program's end.
-pub(super) fn part(control: Control) -> &'static str {
+/// The part that is the same for all positions, where it has to stand before them.
+pub(super) fn before(control: Control) -> &'static str {
+    if control == Control::LinuxCnc { include_str!("sphere/linuxcnc.ngc") } else { "" }
+}
+
+/// The program's end, and the same part where it stands behind that.
+pub(super) fn behind(control: Control) -> &'static str {
     match control {
-        Control::LinuxCnc => include_str!("sphere/linuxcnc.ngc"),
+        Control::LinuxCnc => "M2",
         Control::Sinumerik => include_str!("sphere/sinumerik.mpf"),
         Control::Heidenhain => include_str!("sphere/heidenhain.h"),
         Control::Fanuc => include_str!("sphere/fanuc.nc"),

@@ -117,7 +117,7 @@ pub(super) fn curve(
     Ok(Some(Curve {
         function,
         name: setup.function_name(function),
-        is_location: setup.model.functions[function].basis.is_one(),
+        is_location: setup.model.functions[function].is_location(),
         told: seen.told(setup),
         unit,
         coordinate: along.coordinate.clone(),

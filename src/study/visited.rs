@@ -12,7 +12,7 @@ pub fn visited<S: AsRef<[f64]>>(
     function: FunctionId,
     runs: impl IntoIterator<Item = (RunId, S)>,
 ) -> Option<(f64, f64)> {
-    if setup.model.functions[function].basis.is_one() {
+    if setup.model.functions[function].is_location() {
         return Some((0.0, 0.0));
     }
     let (axis, _) = setup.model.axis_of_function(function)?;

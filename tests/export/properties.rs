@@ -59,16 +59,7 @@ fn every_reader_finds_what_was_written() {
             let (trim, kept): (Trim, _) = match format {
                 Format::One(one) => {
                     let written = write(&table, one, &told).unwrap();
-                    let read: fn(&str) -> Trim = match one {
-                        OneFormat::LinuxCnc => readers::linuxcnc,
-                        OneFormat::Sinumerik840d | OneFormat::Sinumerik808d => readers::sinumerik,
-                        OneFormat::Cec => readers::cec,
-                        OneFormat::Heidenhain => readers::heidenhain,
-                        OneFormat::Fanuc => readers::fanuc,
-                        OneFormat::Csv => readers::csv,
-                        OneFormat::Json => readers::json,
-                    };
-                    (read(&written.text), written.kept)
+                    (readers::of(one)(&written.text), written.kept)
                 }
                 Format::All(all) => {
                     let (text, kept) = write_all(std::slice::from_ref(&table), &[], all, &["note".to_owned()]);

@@ -2,6 +2,20 @@
 //! gives what the control adds to a commanded coordinate, degrees or mm, moving forward or back.
 
 use crate::machine::Trim;
+use trunnion::export::OneFormat;
+
+/// The reader of a format.
+pub fn of(format: OneFormat) -> fn(&str) -> Trim {
+    match format {
+        OneFormat::LinuxCnc => linuxcnc,
+        OneFormat::Sinumerik840d | OneFormat::Sinumerik808d => sinumerik,
+        OneFormat::Cec => cec,
+        OneFormat::Heidenhain => heidenhain,
+        OneFormat::Fanuc => fanuc,
+        OneFormat::Csv => csv,
+        OneFormat::Json => json,
+    }
+}
 
 /// Straight between rows, the end's value beyond.
 fn straight(rows: &[(f64, f64)], x: f64) -> f64 {

@@ -39,16 +39,7 @@ fn read(format: Format, table: &Table) -> (Trim, [Vec<f64>; 2]) {
     match format {
         Format::One(one) => {
             let written = write(table, one, &told).unwrap();
-            let trim = match one {
-                OneFormat::LinuxCnc => readers::linuxcnc,
-                OneFormat::Sinumerik840d | OneFormat::Sinumerik808d => readers::sinumerik,
-                OneFormat::Cec => readers::cec,
-                OneFormat::Heidenhain => readers::heidenhain,
-                OneFormat::Fanuc => readers::fanuc,
-                OneFormat::Csv => readers::csv,
-                OneFormat::Json => readers::json,
-            };
-            (trim(&written.text), written.kept)
+            (readers::of(one)(&written.text), written.kept)
         }
         Format::All(all) => {
             let (text, mut kept) = write_all(std::slice::from_ref(table), &[], all, &[]);

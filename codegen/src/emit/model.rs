@@ -91,6 +91,13 @@ pub struct EstimatedFunction {
     pub base: Vec<BaseId>,
 }
 
+impl EstimatedFunction {
+    /// Where it is evaluated, the last of its inputs; none of a location error.
+    pub fn coordinate(&self) -> Option<&Input> {
+        self.basis.inputs.last().filter(|input| input.symbol == Symbol::Coordinate)
+    }
+}
+
 /// The estimated functions of a model.
 ///
 /// # Errors
@@ -140,12 +147,12 @@ fn basis(
     let unit = if axis.kind == AxisKind::Rotary { "rad" } else { "mm" };
     let mut inputs = lengths(model);
     let meaning = format!("coordinate of axis {}, {unit}", axis.name);
-    if !f.basis.is_one() {
+    if !f.is_location() {
         inputs.push(Input::new(Symbol::Coordinate, &axis.coordinate, &meaning));
     }
     let names = base.iter().map(|b| derivation.base[*b].name.as_str());
     let outputs = [Output::array("basis", &names.zip(values).collect::<Vec<_>>())];
-    let what = if f.basis.is_one() { "location error" } else { "function" };
+    let what = if f.is_location() { "location error" } else { "function" };
     let doc = format!("Basis of the {what} `{name}`: the sum of these times their base parameters.");
     let told = extent(model, derivation, determination, Style::Plain);
     let told = format!("`{name}` is {told}.");

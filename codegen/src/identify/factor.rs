@@ -111,7 +111,7 @@ fn name(model: &Model, parameters: &TiSlice<ParameterId, Parameter>, base: Vec<B
         let own = || parameter.name.clone();
         let with_the_feed = matches!(parameter.origin, Origin::Constant(error) if model.is_nuisance(error));
         // A location error has a value of its own: a sum that it stands in is not called so.
-        let sum = estimates.is_some_and(|c| model.functions[c.function].basis.is_one())
+        let sum = estimates.is_some_and(|c| model.functions[c.function].is_location())
             && b.definition.iter().filter(|f| !f.is_zero()).count() > 1;
         let named = (estimates.is_some() && !sum) || with_the_feed;
         let name = if named { own() } else { lumped.next().unwrap_or_else(own) };

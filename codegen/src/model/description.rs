@@ -6,7 +6,7 @@
 use crate::algebra::{Alphabet, ErrorId, NominalId, Poly, PolyVector, SweepId};
 use crate::basis::{Basis, Coordinate};
 use crate::ids::{AxisId, FunctionId, RunId};
-use crate::iso::{Component, Notation};
+use crate::iso::{Component, Notation, iso_location};
 use crate::source::{Span, Text};
 
 use super::prior::{Assumption, Limits, StatedInstrument};
@@ -63,11 +63,25 @@ impl Model {
         })
     }
 
+    /// The axis of a location error and which of its six it is.
+    pub fn axis_of_location(&self, error: ErrorId) -> Option<(AxisId, Component)> {
+        self.axes().enumerate().find_map(|(i, axis)| {
+            let at = axis.location.iter().position(|&e| e == Some(error))?;
+            Some((AxisId::from(i), Component::ALL[at]))
+        })
+    }
+
     /// The axis of a function: whose motion error it is, or whose location error.
     pub fn axis_of_function(&self, function: FunctionId) -> Option<(AxisId, &Axis)> {
         let error = self.functions.get(function)?.error;
-        let own = |axis: &Axis| axis.motion.contains(&error) || axis.location.contains(&Some(error));
-        self.axes().enumerate().find(|(_, axis)| own(axis)).map(|(i, axis)| (i.into(), axis))
+        let (id, _) = self.axis_of(error).or_else(|| self.axis_of_location(error))?;
+        Some((id, self.axis(id)?))
+    }
+
+    /// ISO 230-1's name of a location error: `EX0C`.
+    pub fn iso_location(&self, error: ErrorId) -> Option<String> {
+        let (id, component) = self.axis_of_location(error)?;
+        Some(iso_location(component, &self.axis(id)?.name))
     }
 
     /// Whether it is the parameter of a nuisance term.
@@ -92,6 +106,13 @@ pub struct ErrorFunction {
     pub estimate: bool,
     /// Where it is described.
     pub place: Span,
+}
+
+impl ErrorFunction {
+    /// Whether it is a location error: the same at every coordinate.
+    pub fn is_location(&self) -> bool {
+        self.basis.is_one()
+    }
 }
 
 /// One axis with its errors.

@@ -5,7 +5,7 @@ use super::{c, model};
 use crate::emit::function::{Function, Input};
 use crate::emit::layout::{listed, prose};
 use crate::emit::model::EstimatedFunction;
-use crate::graph::{Symbol, Unbound};
+use crate::graph::Unbound;
 use crate::identify::Derivation;
 use crate::ids::{FunctionId, RunId};
 use crate::model::Model;
@@ -105,6 +105,7 @@ fn push(
 }
 
 fn value(printed: &mut Printed, estimated: EstimatedFunction, file: &mut File) {
+    let located = estimated.coordinate().is_none();
     let EstimatedFunction { function: of, basis: function, base: places } = estimated;
     let n = places.len();
     let (basis, called) = (file.claim("basis_of", &function.name), file.claim("value_of", &function.name));
@@ -119,7 +120,6 @@ fn value(printed: &mut Printed, estimated: EstimatedFunction, file: &mut File) {
     let results = [format!("{kind} *{value}"), format!("{kind} *{std}")];
     let parameters: Vec<String> = [first].into_iter().chain(values).chain(results).collect();
     let signature = listed(&format!("{prefix}_status {called}("), &parameters, ")", 4);
-    let located = function.inputs.last().is_none_or(|input| input.symbol != Symbol::Coordinate);
     let told = if located {
         "The location error, and its standard deviation."
     } else {

@@ -167,13 +167,13 @@ impl<'a> Document<'a> {
             self.derivation.base.iter().any(own)
         };
         let functions = self.model.functions.iter_enumerated();
-        let functions = functions.filter(|(id, f)| f.estimate && (!f.basis.is_one() || alone(*id))).map(|(_, f)| f);
+        let functions = functions.filter(|(id, f)| f.estimate && (!f.is_location() || alone(*id))).map(|(_, f)| f);
         functions.filter_map(|f| Some((Fraction::whole(coefficient(f.error)?.1), self.error(f.error)))).collect()
     }
 
     /// The motion errors' functions: a location error is one by itself.
     pub fn functions(&self) -> impl Iterator<Item = (FunctionId, &ErrorFunction)> {
-        self.model.functions.iter_enumerated().filter(|(_, f)| !f.basis.is_one())
+        self.model.functions.iter_enumerated().filter(|(_, f)| !f.is_location())
     }
 
     /// An error's function written out in its coefficients, T(6) and T(10), of the coordinate `x`; `None` if it is not one.
@@ -183,7 +183,7 @@ impl<'a> Document<'a> {
         match &f.basis {
             Basis::Zero => return Some(self.printer.number("0".to_owned())),
             Basis::Known => return None,
-            Basis::Functions(_) if f.basis.is_one() => return Some(self.printer.name(prefix)),
+            Basis::Functions(_) if f.is_location() => return Some(self.printer.name(prefix)),
             Basis::Functions(_) => {}
         }
         let mut written = Written { printer: &self.printer, x };

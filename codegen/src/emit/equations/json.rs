@@ -18,7 +18,7 @@ pub fn json(model: &Model, derivation: &Derivation) -> Value {
         let x = d.coordinate(i);
         let expression = d.function(i, &x).unwrap_or_else(|| "known".to_owned());
         let mut object = json!({
-            "name": d.error(f.error), "location_error": f.basis.is_one(), "coordinate": x, "expression": expression, "estimated": f.estimate,
+            "name": d.error(f.error), "location_error": f.is_location(), "coordinate": x, "expression": expression, "estimated": f.estimate,
         });
         if let Some(determination) = derivation.functions.iter().find(|d| d.function == i) {
             let up_to = remaining(model, derivation, determination);

@@ -81,7 +81,7 @@ impl<'a> Calls<'a> {
         let function = &model.functions[value.function];
         let name = model.alphabet.error_name(function.error);
         let unit = model.alphabet.error_quantity(function.error).deviation();
-        let axis = model.axis_of_function(value.function).filter(|_| !function.basis.is_one());
+        let axis = model.axis_of_function(value.function).filter(|_| !function.is_location());
         let coordinate = axis.map(|(_, axis)| match axis.kind {
             AxisKind::Rotary => Quantity::Angle.coordinate(),
             AxisKind::Linear => Quantity::Length.coordinate(),

@@ -7,7 +7,6 @@ use super::function::docs;
 use super::printed::{Estimated, Printed};
 use super::{LOCAL, blank, ident};
 use crate::emit::names::Scope;
-use crate::graph::Symbol;
 
 pub(super) fn estimate(printed: &Printed) -> TokenStream {
     let (module, real, size, blank) =
@@ -44,8 +43,7 @@ fn value(printed: &Printed, estimated: &Estimated, methods: &mut Scope) -> Token
     let called = ident(&methods.claim(&function.basis.name));
     let basis = printed.path(&estimated.name);
     let lengths = printed.own_lengths();
-    // A location error has no coordinate.
-    let input = function.basis.inputs.last().filter(|input| input.symbol == Symbol::Coordinate);
+    let input = function.coordinate();
     let x = input.map(|input| Scope::new(LOCAL, &[estimated.name.to_string()]).claim(&input.name));
     let (what, at, where_none) = match (input, &x) {
         (Some(input), Some(x)) => {

@@ -76,7 +76,7 @@ impl Resolver {
             }
         }
         let functions = self.functions(draft, &known);
-        for function in functions.iter().filter(|f| !f.basis.is_one()) {
+        for function in functions.iter().filter(|f| !f.is_location()) {
             // A coefficient is called after its error; nothing else may be.
             for (term, described) in function.basis.functions().iter_enumerated() {
                 let name = format!("{}{}", self.alphabet.error_name(function.error), described.suffix(term));
