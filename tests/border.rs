@@ -47,7 +47,7 @@ fn every_number_of_an_option_has_its_range() {
         (&map[..4], "--map", wide),
         (&[&map[..], &["0"]].concat(), "--reach", length),
         (&model("simulate"), "--noise-um", "from 0 to 10000"),
-        (&model("simulate"), "--samples", "from 1 to 300000"),
+        (&model("simulate"), "--samples", "from 1 to 10000000"),
         (&model("simulate"), "--from-deg", "from -3600 to 3600"),
         (&model("simulate"), "--length-um", "from 0 to 10000"),
         (&model("fit"), "--angle-urad", "from 0 to 10000"),

@@ -109,7 +109,7 @@ fn simulated_files_say_what_they_hold() {
         let setup = Setup::from_description(model, lengths).unwrap();
         let simulation = simulation(1, 36, 0.1);
         let directory = tempfile::tempdir().unwrap();
-        let result = write_simulation(&setup, &simulation, &simulation.measure(&setup), directory.path());
+        let result = write_simulation(&setup, &simulation, directory.path());
         (result, directory)
     };
     let truth = |directory: &tempfile::TempDir| -> serde_json::Value {
@@ -195,7 +195,7 @@ fn two_known_functions_have_two_columns() {
     let setup = Setup::from_description(model, &[("R", 100.0), ("L", 150.0)]).unwrap();
     let simulation = simulation(1, 36, 0.1);
     let directory = tempfile::tempdir().unwrap();
-    write_simulation(&setup, &simulation, &simulation.measure(&setup), directory.path()).unwrap();
+    write_simulation(&setup, &simulation, directory.path()).unwrap();
     let table = directory.path().join("table.csv");
     let text = std::fs::read_to_string(&table).unwrap();
     let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();

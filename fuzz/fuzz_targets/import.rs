@@ -18,7 +18,7 @@ fuzz_target!(|bytes: &[u8]| {
         let (files, names) = native_files(&[(&file, &imported)], "a").expect("finite runs");
         // What is written is read again as it is.
         for (name, kept) in names.iter().flatten().zip(kept) {
-            let contents = files.iter().find(|(own, _)| own == name).expect("a run's file").1;
+            let contents = files.get(name).expect("a run's file");
             let again = trunnion_fuzz::file(contents);
             let radius = Radius::new(9999.0).expect("a length");
             let Ok(sweep) = Sweep::read(&again, "a", radius, 1) else { continue };

@@ -67,7 +67,8 @@ impl DemoArguments {
         let studies = monte_carlo::watched(&setup, simulation.draws(TRIALS), Drawn::Machines, &estimators)?;
         out += &monte_carlo::text(&setup, TRIALS, Drawn::Machines, &studies);
         let figures = figures(&setup, observations, &reports)?;
-        let files = simulation_files(&setup, &simulation, &simulated, &self.out, figures)?;
+        let drawn = simulation.draw(&setup);
+        let files = simulation_files(&setup, &drawn, &self.out, figures)?;
         files.write(&self.out, &Guard { inputs: Vec::new(), force: self.force })?;
         let _ = write!(
             out,
@@ -111,7 +112,11 @@ fn recovered(reports: &[(Report, Recovery)]) -> String {
 }
 
 /// Fig. 3, the readings, and Fig. 4, the estimate against the truth.
-fn figures(setup: &Setup, observations: &[Observation], reports: &[(Report, Recovery)]) -> Result<Files, Refused> {
+fn figures(
+    setup: &Setup,
+    observations: &[Observation],
+    reports: &[(Report, Recovery)],
+) -> Result<Files<'static>, Refused> {
     let line = |name: &str, tone, points| Series { name: name.to_owned(), tone, mark: Mark::Line(points) };
     let tones = [Tone::Blue, Tone::Vermilion, Tone::Green, Tone::Purple];
     let runs = observations.iter().zip(tones).enumerate().map(|(i, (o, tone))| {

@@ -54,7 +54,7 @@ impl FitArguments {
         }
         if let Some(directory) = &self.csv {
             let files = curve_files(&report, directory)?;
-            if files.iter().next().is_none() {
+            if files.is_empty() {
                 return Err(StudyError::NothingEstimated.into());
             }
             files.write(directory, &guard)?;

@@ -47,7 +47,7 @@ pub struct MonteCarloArguments {
 impl MonteCarloArguments {
     /// Draws, fits, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let (setup, simulation) = self.simulation.simulation(&self.model, &self.model.source()?)?;
+        let (setup, simulation) = self.simulation.kept(&self.model, &self.model.source()?)?;
         let draws = simulation.draws(self.trials.into());
         let asked = self.estimator.map_or(vec![Estimator::TwoStep, Estimator::Joint], |e| vec![e.into()]);
         let (mut estimators, mut notes) = (Vec::new(), Vec::new());

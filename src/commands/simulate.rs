@@ -27,8 +27,8 @@ impl SimulateArguments {
     pub fn run(self) -> Result<(), Refused> {
         let source = self.model.source()?;
         let (setup, simulation) = self.simulation.simulation(&self.model, &source)?;
-        let simulated = simulation.measure(&setup);
-        let files = simulation_files(&setup, &simulation, &simulated, &self.out, Files::default())?;
+        let drawn = simulation.draw(&setup);
+        let files = simulation_files(&setup, &drawn, &self.out, Files::default())?;
         Ok(files.write(&self.out, &Guard { inputs: source.inputs(), force: self.force })?)
     }
 }

@@ -6,7 +6,7 @@ use super::number;
 use super::predicted;
 use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
-use trunnion::data::limits::SAMPLES;
+use trunnion::data::limits::{SAMPLES, SIMULATED};
 use trunnion::study::{Setup, Simulation};
 
 /// What is simulated.
@@ -16,7 +16,7 @@ pub struct SimulationArguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Samples of each run.
-    #[arg(long, default_value_t = 360, value_parser = number::count::<1, { SAMPLES as u32 }>, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 360, value_parser = number::count::<1, { SIMULATED as u32 }>, allow_negative_numbers = true)]
     samples: u32,
     /// Half width of the uniform noise of the readings, µm.
     #[arg(long, value_name = "UM", default_value_t = 0.1, value_parser = number::noise, allow_negative_numbers = true)]
@@ -38,6 +38,16 @@ pub struct SimulationArguments {
 }
 
 impl SimulationArguments {
+    /// As [`SimulationArguments::simulation`], with no more samples than are kept.
+    pub fn kept(&self, model: &ModelArguments, source: &Source) -> Result<(Setup, Simulation), Refused> {
+        let (setup, simulation) = self.simulation(model, source)?;
+        let runs = setup.model.runs.len();
+        match simulation.samples * runs > SAMPLES {
+            true => Err(Refused::Samples(self.samples, SAMPLES / runs.max(1), runs)),
+            false => Ok((setup, simulation)),
+        }
+    }
+
     /// The model with the ranges of its axes, and what is asked for, where it can be simulated.
     pub fn simulation(&self, model: &ModelArguments, source: &Source) -> Result<(Setup, Simulation), Refused> {
         let given = match (self.range_deg, self.from_deg, self.to_deg) {
@@ -53,10 +63,6 @@ impl SimulationArguments {
             ));
         }
         let setup = model.setup(source, |model| self.ranges.apply(model))?;
-        let runs = setup.model.runs.len();
-        if self.samples as usize * runs > SAMPLES {
-            return Err(Refused::Samples(self.samples, SAMPLES / runs.max(1), runs));
-        }
         let (limits, range_deg) = (self.limits.limits(&setup), (from, to));
         let &Self { seed, samples, noise_um, .. } = self;
         let simulation = Simulation { seed, samples: samples as usize, noise_um, limits, range_deg };

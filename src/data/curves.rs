@@ -16,7 +16,7 @@ use trunnion_codegen::quantity::{Quantity, Unit};
 ///
 /// # Errors
 /// [`WriteError`] for values that are not finite; `directory` is where they will stand.
-pub fn curve_files(report: &Report, directory: &Path) -> Result<Files, WriteError> {
+pub fn curve_files(report: &Report, directory: &Path) -> Result<Files<'static>, WriteError> {
     let mut files = Files::default();
     for curve in report.functions.iter().filter(|curve| !curve.points.is_empty()) {
         let name = format!("{}.csv", curve.name);

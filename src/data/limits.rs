@@ -3,11 +3,13 @@
 /// Bytes of a line, or of a field in quotes that goes over several.
 pub const LINE: usize = 1 << 16;
 /// Lines of a file, comments and empty ones counted.
-pub const LINES: u64 = 20_000_000;
+pub const LINES: u64 = 25_000_000;
 /// Samples of a file that `fit` keeps, 16 bytes each: a file of more is read again each time, where it can be.
 pub const KEPT: usize = 1_000_000;
-/// Samples of all runs together that are kept with all that belongs to them: simulated ones; nodes of a table.
+/// Samples of all runs together that are kept with all that belongs to them; nodes of a table.
 pub const SAMPLES: usize = 300_000;
+/// Samples of a run that are simulated into a file: there and back they are fewer than [`LINES`].
+pub const SIMULATED: usize = 10_000_000;
 /// Touches of a ring or an offset.
 pub const TOUCHES: usize = 10_000;
 /// Bytes of a file that may be an earlier result.

@@ -46,7 +46,7 @@ pub enum NativeError {
 pub fn native_files(
     imported: &[(&Path, &ImportedFile)],
     angle: &str,
-) -> Result<(Files, Vec<Vec<String>>), NativeError> {
+) -> Result<(Files<'static>, Vec<Vec<String>>), NativeError> {
     let (mut files, mut names, mut all) = (Files::default(), Vec::new(), BTreeSet::new());
     for (path, file) in imported {
         let own = run_names(path, &file.imported.traces);

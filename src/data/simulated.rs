@@ -1,14 +1,15 @@
 //! The files of a simulation: `RUN.csv`, `table.csv`, `truth.json`.
 
 use super::known::known_functions;
-use super::output::{Files, Guard, INDEX, WriteError, WriteProblem};
-use super::sweep::Sweep;
+use super::output::{Files, Guard, WriteError, WriteProblem};
+use super::sweep::columns;
 use super::table::{Known, Table};
 use super::truth::{Truth, TruthFunction};
-use crate::study::{Observation, Setup, Simulated, Simulation, coordinate, marks, visited};
+use super::written::Writing;
+use crate::study::{DrawnMachine, Setup, Simulation, coordinate, marks, visited};
 use std::path::Path;
 use trunnion_codegen::emit::model::known_name;
-use trunnion_codegen::ids::FunctionId;
+use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::quantity::Unit;
 
@@ -16,76 +17,71 @@ use trunnion_codegen::quantity::Unit;
 const TABLE: &str = "table.csv";
 
 /// Writes the files of a simulation into a directory, all or none; the directory is made where it is not there, and what a
-/// simulation wrote there before is replaced.
+/// simulation wrote there before is replaced. No run is kept: their length needs no memory.
 ///
 /// # Errors
 /// [`WriteError`]
-pub fn write_simulation(
-    setup: &Setup,
-    simulation: &Simulation,
-    simulated: &Simulated,
-    out: &Path,
-) -> Result<(), WriteError> {
-    simulation_files(setup, simulation, simulated, out, Files::default())?.write(out, &Guard::default())
+pub fn write_simulation(setup: &Setup, simulation: &Simulation, out: &Path) -> Result<(), WriteError> {
+    simulation_files(setup, &simulation.draw(setup), out, Files::default())?.write(out, &Guard::default())
 }
 
-/// The files of a simulation for a directory, with others beside them; `truth.json` lists them all.
+/// The files of a drawn machine's measurement for a directory, with others beside them; `truth.json` lists them all.
 ///
 /// # Errors
 /// [`WriteError`] where a value is not finite, or two files have one name.
-pub fn simulation_files(
-    setup: &Setup,
-    simulation: &Simulation,
-    simulated: &Simulated,
+pub fn simulation_files<'a>(
+    setup: &'a Setup,
+    drawn: &'a DrawnMachine<'a>,
     out: &Path,
-    others: Files,
-) -> Result<Files, WriteError> {
+    others: Files<'a>,
+) -> Result<Files<'a>, WriteError> {
     let failed = |name: &str, problem| WriteError { file: out.join(name), problem };
     let mut files = others;
     let own = setup.model.runs.iter().find(|run| run.name.eq_ignore_ascii_case("table"));
     if let Some(run) = own.filter(|_| known_functions(setup).is_some()) {
         return Err(failed(&format!("{}.csv", run.name), WriteProblem::HoldsTheTable));
     }
-    for observation in &simulated.observations {
-        let run = &setup.model.runs[observation.run];
-        let name = format!("{}.csv", run.name);
-        let samples = observation.samples.iter().map(|s| (s.sweep, s.reading));
-        let sweep = Sweep::new(out.join(&name), samples);
-        let contents = sweep.contents(setup.model.alphabet.sweep_name(run.sweep), Unit::Deg, Unit::Um);
-        let contents = contents.map_err(|problem| failed(&name, problem))?;
-        files.add(name, contents);
+    for (id, run) in setup.model.runs.iter_enumerated() {
+        let angle = setup.model.alphabet.sweep_name(run.sweep);
+        files.stream(format!("{}.csv", run.name), move |out| {
+            let columns = columns(angle, Unit::Deg, Unit::Um);
+            let mut table = Writing::new(out, &columns)?;
+            drawn.each(id, |sample| table.line(&[sample.sweep, sample.reading]))?;
+            table.end()
+        });
     }
-    if let Some(contents) = table(setup, simulated) {
+    if let Some(contents) = table(setup, drawn) {
         files.add(TABLE, contents.map_err(|problem| failed(TABLE, problem))?);
     }
-    let truth = truth(setup, simulation, simulated).listing(&files);
-    files.add(INDEX, truth.map_err(|problem| failed(INDEX, problem))?);
+    let truth = truth(setup, drawn);
+    files.index(move |files| Ok(truth.listing(files)?.into_bytes()));
     Ok(files)
 }
 
-/// The known functions of all runs, at every value of the sweeps of those that see one; none where no run does.
-fn table(setup: &Setup, simulated: &Simulated) -> Option<Result<Vec<u8>, WriteProblem>> {
+/// The known functions of all runs, along the sweeps of those that see one; none where no run does.
+fn table(setup: &Setup, drawn: &DrawnMachine<'_>) -> Option<Result<Vec<u8>, WriteProblem>> {
     let (angle, functions) = known_functions(setup)?;
     let known = functions.iter();
     let known = known.map(|f| Known { name: known_name(&setup.model, *f), quantity: setup.quantity(*f) });
     let known: Vec<Known> = known.collect();
-    let sees = |o: &&Observation| !setup.derivation.runs[o.run].known.is_empty();
-    let sweeps = simulated.observations.iter().filter(sees).flat_map(|o| o.samples.iter().map(|s| s.sweep));
-    let mut sweeps: Vec<f64> = sweeps.collect();
+    let sees = |run: &RunId| !setup.derivation.runs[*run].known.is_empty();
+    let runs = setup.model.runs.keys().filter(sees);
+    let mut sweeps: Vec<f64> = runs.flat_map(|run| drawn.simulation.tabulated(setup, run)).collect();
     sweeps.sort_by(f64::total_cmp);
     sweeps.dedup();
-    let value = |f: &FunctionId, sweep| simulated.machine.value(setup.model.functions[*f].error, sweep);
+    let value = |f: &FunctionId, sweep| drawn.machine.value(setup.model.functions[*f].error, sweep);
     let line = |sweep: f64| (sweep, functions.iter().map(|f| value(f, sweep)).collect());
     Some(Table::contents(angle, &known, sweeps.into_iter().map(line)))
 }
 
-fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated) -> Truth {
-    let swept = || simulated.observations.iter().map(|o| (o.run, simulation.visited(setup, o.run)));
+fn truth(setup: &Setup, drawn: &DrawnMachine<'_>) -> Truth {
+    let (simulation, machine) = (&drawn.simulation, &drawn.machine);
+    let swept = || setup.model.runs.keys().map(|run| (run, simulation.visited(setup, run)));
     let function = |f: FunctionId| {
         let error = setup.model.functions[f].error;
         let (axis, unit) = (setup.axis(f)?, setup.quantity(f).deviation());
         let of = coordinate(axis).coordinate();
-        let value = |x: f64| unit.from_inner(simulated.machine.value(error, of.to_inner(x)));
+        let value = |x: f64| unit.from_inner(machine.value(error, of.to_inner(x)));
         let points = visited(setup, f, swept()).map_or(Vec::new(), |range| marks(range, of));
         let points = points.into_iter().map(|x| (x, value(x))).collect();
         let coordinate = format!("{}_{of}", axis.coordinate);
@@ -93,11 +89,11 @@ fn truth(setup: &Setup, simulation: &Simulation, simulated: &Simulated) -> Truth
     };
     let located = |f: &FunctionId| setup.model.functions[*f].is_location();
     let names = setup.derivation.base.iter().map(|b| b.name.clone());
-    let mut constants: Vec<(String, f64)> = names.zip(simulated.machine.base(setup)).collect();
+    let mut constants: Vec<(String, f64)> = names.zip(machine.base(setup)).collect();
     for function in setup.estimated().filter(located) {
         let name = setup.function_name(function);
         if constants.iter().all(|(own, _)| *own != name) {
-            constants.push((name, simulated.machine.value(setup.model.functions[function].error, 0.0)));
+            constants.push((name, drawn.machine.value(setup.model.functions[function].error, 0.0)));
         }
     }
     Truth {

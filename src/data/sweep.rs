@@ -120,11 +120,15 @@ impl Sweep {
 
     /// What [`Sweep::write`] writes.
     pub(super) fn contents(&self, angle: &str, angle_unit: Unit, length_unit: Unit) -> Result<Vec<u8>, WriteProblem> {
-        let columns =
-            [(Wanted::new(angle, SWEEP), angle_unit), (Wanted::new(READING, deviation(Quantity::Length)), length_unit)];
+        let columns = columns(angle, angle_unit, length_unit);
         let lines = self.samples.iter().map(|sample| vec![sample.angle_rad, sample.reading_mm]);
         written(&columns, lines)
     }
+}
+
+/// The columns of a run's file as it is written.
+pub(super) fn columns(angle: &str, angle_unit: Unit, length_unit: Unit) -> [(Wanted<'_>, Unit); 2] {
+    [(Wanted::new(angle, SWEEP), angle_unit), (Wanted::new(READING, deviation(Quantity::Length)), length_unit)]
 }
 
 impl<'a> RunColumns<'a> {

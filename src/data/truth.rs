@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::ser::PrettyFormatter;
 
-use super::output::{Files, LISTED, WriteError, WriteProblem, digest, write_atomically};
+use super::output::{LISTED, WriteError, WriteProblem, write_atomically};
 use trunnion_codegen::quantity::Unit;
 
 /// What a simulation was made of: written as `truth.json`.
@@ -48,11 +48,11 @@ impl Truth {
     /// # Errors
     /// [`WriteProblem::NotFinite`] (line 0, column 0) where a value is not finite: JSON has no such number.
     pub fn to_json(&self) -> Result<String, WriteProblem> {
-        self.listing(&Files::default())
+        self.listing(&BTreeMap::new())
     }
 
     /// The same with the files that are written with it, by name and digest, so that they are known again.
-    pub(super) fn listing(&self, files: &Files) -> Result<String, WriteProblem> {
+    pub(super) fn listing(&self, files: &BTreeMap<String, String>) -> Result<String, WriteProblem> {
         if !self.numbers().all(f64::is_finite) {
             return Err(WriteProblem::NotFinite { line: 0, column: 0 });
         }
@@ -80,16 +80,15 @@ impl Truth {
     }
 }
 
-/// A truth and the files written with it.
-struct Listing<'a>(&'a Truth, &'a Files);
+/// A truth and the files written with it, by name and digest.
+struct Listing<'a>(&'a Truth, &'a BTreeMap<String, String>);
 
 impl Serialize for Listing<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self(truth, files) = self;
         let mut map = serializer.serialize_map(None)?;
-        let files: BTreeMap<&str, String> = files.iter().map(|(name, contents)| (name, digest(contents))).collect();
         if !files.is_empty() {
-            map.serialize_entry(LISTED, &files)?;
+            map.serialize_entry(LISTED, files)?;
         }
         map.serialize_entry("seed", &truth.seed)?;
         map.serialize_entry("radius_mm", &truth.radius_mm)?;

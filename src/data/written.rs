@@ -1,6 +1,6 @@
 //! From values to the text of a file: a header with units, then a line a sample.
 
-use std::io;
+use std::io::{self, Write};
 
 use super::columns::Wanted;
 use super::output::WriteProblem;
@@ -11,21 +11,54 @@ pub(crate) fn written(
     columns: &[(Wanted, Unit)],
     lines: impl Iterator<Item = Vec<f64>>,
 ) -> Result<Vec<u8>, WriteProblem> {
-    if let Some((_, unit)) = columns.iter().find(|(wanted, unit)| !wanted.units.contains(unit)) {
-        return Err(WriteProblem::Unit(*unit));
+    let mut out = Vec::new();
+    let mut table = Writing::new(&mut out, columns)?;
+    lines.into_iter().try_for_each(|values| table.line(&values))?;
+    table.end()?;
+    Ok(out)
+}
+
+/// A table that is being written.
+pub(crate) struct Writing<'a, W: Write> {
+    writer: csv::Writer<W>,
+    columns: &'a [(Wanted<'a>, Unit)],
+    line: usize,
+}
+
+impl<'a, W: Write> Writing<'a, W> {
+    /// Writes the header.
+    pub fn new(out: W, columns: &'a [(Wanted<'a>, Unit)]) -> Result<Self, WriteProblem> {
+        if let Some((_, unit)) = columns.iter().find(|(wanted, unit)| !wanted.units.contains(unit)) {
+            return Err(WriteProblem::Unit(*unit));
+        }
+        let mut writer = csv::Writer::from_writer(out);
+        let header = columns.iter().map(|(wanted, unit)| format!("{}_{unit}", wanted.name));
+        writer.write_record(header).map_err(refused)?;
+        Ok(Self { writer, columns, line: 1 })
     }
-    let refused = |_| WriteProblem::Refused(io::ErrorKind::InvalidData);
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(columns.iter().map(|(wanted, unit)| format!("{}_{unit}", wanted.name))).map_err(refused)?;
-    for (line, values) in (2..).zip(lines) {
-        if values.len() != columns.len() {
-            return Err(WriteProblem::Count { line, found: values.len(), expected: columns.len() });
+
+    /// Writes a line of values.
+    pub fn line(&mut self, values: &[f64]) -> Result<(), WriteProblem> {
+        self.line += 1;
+        if values.len() != self.columns.len() {
+            return Err(WriteProblem::Count { line: self.line, found: values.len(), expected: self.columns.len() });
         }
         if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-            return Err(WriteProblem::NotFinite { line, column: at + 1 });
+            return Err(WriteProblem::NotFinite { line: self.line, column: at + 1 });
         }
-        let fields = columns.iter().zip(values).map(|((_, unit), value)| unit.decimal(value));
-        writer.write_record(fields).map_err(refused)?;
+        let fields = self.columns.iter().zip(values).map(|((_, unit), value)| unit.decimal(*value));
+        self.writer.write_record(fields).map_err(refused)
     }
-    writer.into_inner().map_err(|error| error.into_error().into())
+
+    /// Ends it.
+    pub fn end(mut self) -> Result<(), WriteProblem> {
+        Ok(self.writer.flush()?)
+    }
+}
+
+fn refused(error: csv::Error) -> WriteProblem {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error.into(),
+        _ => WriteProblem::Refused(io::ErrorKind::InvalidData),
+    }
 }

@@ -85,7 +85,7 @@ pub use seen::Seen;
 pub use separation::Separation;
 pub use setup::{Setup, SetupError, bars, coordinate};
 pub use simulate::grid;
-pub use simulation::{Simulated, Simulation};
+pub use simulation::{DrawnMachine, Simulated, Simulation};
 pub use spread::Spread;
 pub use studies::{Drawn, Errors, MachineErrors, Study, StudyError, design_warning, studies};
 pub use supplement::{Checked, supplement};

@@ -10,7 +10,12 @@ use trunnion_codegen::measurement::ExactReading;
 
 /// `samples` equal steps over `range` (rad), the end left out: a whole turn does not visit its start twice.
 pub fn grid(samples: usize, range: (f64, f64)) -> Vec<f64> {
-    (0..samples).map(|i| range.0 + (range.1 - range.0) * i as f64 / samples as f64).collect()
+    (0..samples).map(|i| step(i, samples, range)).collect()
+}
+
+/// One of the steps of [`grid`].
+pub(super) fn step(i: usize, samples: usize, range: (f64, f64)) -> f64 {
+    range.0 + (range.1 - range.0) * i as f64 / samples as f64
 }
 
 impl Setup {
@@ -20,9 +25,14 @@ impl Setup {
         self.both_ways(run, grid(samples, self.sweep_range(run, range)))
     }
 
+    /// Whether a run has terms that turn with the direction.
+    pub(super) fn goes_back(&self, run: RunId) -> bool {
+        !self.model.runs[run].nuisance.is_empty()
+    }
+
     /// `there`, and back where the run has terms that turn with the direction.
     pub fn both_ways(&self, run: RunId, mut there: Vec<f64>) -> Vec<f64> {
-        if !self.model.runs[run].nuisance.is_empty() {
+        if self.goes_back(run) {
             there.extend_from_within(..);
             let back = there.len() / 2;
             there[back..].reverse();

@@ -7,12 +7,12 @@ mod set;
 mod stage;
 
 pub use error::{WriteError, WriteProblem, remedy};
-pub(super) use own::{INDEX, LISTED, digest, sealed};
+pub(super) use own::{LISTED, sealed};
 pub use set::Files;
 pub use stage::discard_staged;
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use place::Place;
 use stage::Stage;
@@ -27,8 +27,8 @@ pub struct Guard {
 }
 
 impl Guard {
-    /// Whether a file that may be there may be replaced, `own` saying of its contents whether it is an earlier result.
-    fn allows(&self, file: &Path, own: impl FnOnce(&[u8]) -> bool) -> Result<(), WriteProblem> {
+    /// Whether a file that may be there may be replaced, `own` saying of it whether it is an earlier result.
+    fn allows(&self, file: &Path, own: impl FnOnce(&Path) -> io::Result<bool>) -> Result<(), WriteProblem> {
         let Ok(there) = fs::metadata(file) else { return Ok(()) };
         if !there.is_file() {
             return Err(WriteProblem::NoFile);
@@ -36,7 +36,7 @@ impl Guard {
         if self.inputs.iter().any(|input| place::same(input, file)) {
             return Err(WriteProblem::Input);
         }
-        match self.force || own(&own::contents(file)?) {
+        match self.force || own(file)? {
             true => Ok(()),
             false => Err(WriteProblem::Foreign),
         }

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 use crate::data::limits::RESULT;
@@ -33,14 +33,44 @@ fn is_sealed(contents: &[u8]) -> bool {
     parts.is_some_and(|(sealed, rest)| rest.get(1..).is_some_and(|rest| digest(rest).as_bytes() == sealed))
 }
 
-/// FNV-1a of 64 bits, in hexadecimal: tells a changed file, and need not withstand an attack.
-pub(in crate::data) fn digest(contents: &[u8]) -> String {
-    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-    format!("{:016x}", contents.iter().fold(0xcbf2_9ce4_8422_2325, step))
+/// FNV-1a of 64 bits: tells a changed file, and need not withstand an attack.
+pub(super) struct Digest(u64);
+
+impl Digest {
+    pub fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    pub fn add(&mut self, contents: &[u8]) {
+        let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        self.0 = contents.iter().fold(self.0, step);
+    }
+
+    /// In hexadecimal.
+    pub fn text(&self) -> String {
+        format!("{:016x}", self.0)
+    }
+}
+
+impl Write for Digest {
+    fn write(&mut self, contents: &[u8]) -> io::Result<usize> {
+        self.add(contents);
+        Ok(contents.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+fn digest(contents: &[u8]) -> String {
+    let mut digest = Digest::new();
+    digest.add(contents);
+    digest.text()
 }
 
 /// What an output is to replace, or its beginning: a longer file is no earlier result, and need not fill the memory.
-pub(super) fn contents(file: &Path) -> io::Result<Vec<u8>> {
+fn contents(file: &Path) -> io::Result<Vec<u8>> {
     let mut contents = Vec::new();
     File::open(file)?.take(RESULT).read_to_end(&mut contents)?;
     Ok(contents)
@@ -67,15 +97,24 @@ impl Listed {
         self.0.contains_key(name)
     }
 
-    /// Whether a file in the directory is an earlier result.
-    pub fn is_own(&self, name: &str, contents: &[u8]) -> bool {
-        let listed = self.0.get(name).is_some_and(|own| own.as_ref().is_none_or(|own| *own == digest(contents)));
-        listed || says_so(contents)
+    /// Whether a file of a name is an earlier result.
+    pub fn is_own(&self, name: &str, file: &Path) -> io::Result<bool> {
+        let listed = match self.0.get(name) {
+            None => false,
+            Some(None) => true,
+            Some(Some(own)) => {
+                let mut digest = Digest::new();
+                io::copy(&mut File::open(file)?, &mut digest)?;
+                digest.text() == *own
+            }
+        };
+        Ok(listed || says_so(file)?)
     }
 }
 
 /// Whether a file says itself that it is an earlier result; an empty one has nothing to lose.
-pub(super) fn says_so(contents: &[u8]) -> bool {
+pub(super) fn says_so(file: &Path) -> io::Result<bool> {
+    let contents = &contents(file)?;
     let head = &contents[..contents.len().min(256)];
-    contents.is_empty() || is_sealed(contents) || head.windows(MADE.len()).any(|part| part == MADE.as_bytes())
+    Ok(contents.is_empty() || is_sealed(contents) || head.windows(MADE.len()).any(|part| part == MADE.as_bytes()))
 }

@@ -8,12 +8,12 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::Guard;
 use super::error::{WriteError, WriteProblem};
-use super::own::{INDEX, Listed, contents};
+use super::own::{Digest, INDEX, Listed};
 use super::place::{beside, followed};
 use super::stage::{Lock, Stage, remove};
 
@@ -22,18 +22,64 @@ const WITHIN: &str = ".trunnion";
 const MOVING: &str = ".trunnion-moving";
 
 /// Files that belong together, by name.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Files(BTreeMap<String, Vec<u8>>);
+#[derive(Default)]
+pub struct Files<'a> {
+    contents: BTreeMap<String, Contents<'a>>,
+    index: Option<Box<Index<'a>>>,
+}
 
-impl Files {
+/// What a file is to have.
+enum Contents<'a> {
+    Bytes(Vec<u8>),
+    Stream(Box<Stream<'a>>),
+}
+
+type Stream<'a> = dyn Fn(&mut dyn Write) -> Result<(), WriteProblem> + 'a;
+type Index<'a> = dyn Fn(&BTreeMap<String, String>) -> Result<Vec<u8>, WriteProblem> + 'a;
+
+impl<'a> Files<'a> {
     /// Adds one.
     pub fn add(&mut self, name: impl Into<String>, contents: impl Into<Vec<u8>>) {
-        self.0.insert(name.into(), contents.into());
+        self.contents.insert(name.into(), Contents::Bytes(contents.into()));
     }
 
-    /// Names and contents.
-    pub fn iter(&self) -> impl Iterator<Item = (&str, &[u8])> {
-        self.0.iter().map(|(name, contents)| (name.as_str(), contents.as_slice()))
+    /// Adds one whose contents are made while they are written, perhaps more than once.
+    pub fn stream(
+        &mut self,
+        name: impl Into<String>,
+        contents: impl Fn(&mut dyn Write) -> Result<(), WriteProblem> + 'a,
+    ) {
+        self.contents.insert(name.into(), Contents::Stream(Box::new(contents)));
+    }
+
+    /// Adds the file that lists all others, of their names and digests.
+    pub(in crate::data) fn index(
+        &mut self,
+        contents: impl Fn(&BTreeMap<String, String>) -> Result<Vec<u8>, WriteProblem> + 'a,
+    ) {
+        self.index = Some(Box::new(contents));
+    }
+
+    /// What is in one; nothing where it is made while it is written.
+    pub fn get(&self, name: &str) -> Option<&[u8]> {
+        match self.contents.get(name)? {
+            Contents::Bytes(bytes) => Some(bytes),
+            Contents::Stream(_) => None,
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.names().next().is_none()
+    }
+
+    /// What they are called.
+    fn names(&self) -> impl Iterator<Item = &str> {
+        self.contents.keys().map(String::as_str).chain(self.index.as_ref().map(|_| INDEX))
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.names().any(|own| own == name)
     }
 
     /// Writes them all or none into a directory, in place of what an earlier run wrote there.
@@ -46,8 +92,8 @@ impl Files {
         let out = resolved(directory).map_err(failed)?;
         let _lock = Lock::take(&out).map_err(failed)?;
         let earlier = finish(&out).and_then(|()| Earlier::of(&out, self)).map_err(|e| failed(e.into()))?;
-        for name in self.0.keys().chain(&earlier.own) {
-            let allowed = guard.allows(&out.join(name), |contents| earlier.listed.is_own(name, contents));
+        for name in self.names().chain(earlier.own.iter().map(String::as_str)) {
+            let allowed = guard.allows(&out.join(name), |file| earlier.listed.is_own(name, file));
             allowed.map_err(|problem| WriteError { file: directory.join(name), problem })?;
         }
         self.put(&out, &earlier).map_err(failed)
@@ -90,7 +136,7 @@ impl Files {
         let staged = Stage::directory(out.join(WITHIN))?;
         self.write_into(&staged)?;
         // Earlier results without a successor.
-        for name in earlier.own.iter().filter(|name| !self.0.contains_key(*name)) {
+        for name in earlier.own.iter().filter(|name| !self.has(name)) {
             staged.mark(name)?;
         }
         staged.commit(|staged| {
@@ -99,8 +145,38 @@ impl Files {
         })
     }
 
-    fn write_into(&self, staged: &Stage) -> io::Result<()> {
-        self.0.iter().try_for_each(|(name, contents)| staged.write(name, contents))
+    fn write_into(&self, staged: &Stage) -> Result<(), WriteProblem> {
+        let mut digests = BTreeMap::new();
+        for (name, contents) in &self.contents {
+            let mut digest = Digest::new();
+            staged.write(name, |out| {
+                let mut both = Both(out, &mut digest);
+                match contents {
+                    Contents::Bytes(bytes) => Ok(both.write_all(bytes)?),
+                    Contents::Stream(stream) => stream(&mut both),
+                }
+            })?;
+            digests.insert(name.clone(), digest.text());
+        }
+        match &self.index {
+            Some(index) => staged.write(INDEX, |out| Ok(out.write_all(&index(&digests)?)?)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Writes to a file and to its digest.
+struct Both<'a>(&'a mut dyn Write, &'a mut Digest);
+
+impl Write for Both<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.0.write(bytes)?;
+        self.1.add(bytes.get(..written).unwrap_or(bytes));
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
     }
 }
 
@@ -132,15 +208,15 @@ struct Earlier {
 }
 
 impl Earlier {
-    fn of(out: &Path, files: &Files) -> io::Result<Self> {
+    fn of(out: &Path, files: &Files<'_>) -> io::Result<Self> {
         // Files that have no index replace none that has one.
-        let listed = if files.0.contains_key(INDEX) { Listed::of(out) } else { Listed::default() };
+        let listed = if files.index.is_some() { Listed::of(out) } else { Listed::default() };
         let mut earlier = Self { listed, own: Vec::new(), others: false };
         for entry in fs::read_dir(out).into_iter().flatten() {
             let entry = entry?;
             let name = entry.file_name().to_string_lossy().into_owned();
-            let candidate = entry.file_type()?.is_file() && (files.0.contains_key(&name) || earlier.listed.has(&name));
-            if candidate && earlier.listed.is_own(&name, &contents(&entry.path())?) {
+            let candidate = entry.file_type()?.is_file() && (files.has(&name) || earlier.listed.has(&name));
+            if candidate && earlier.listed.is_own(&name, &entry.path())? {
                 earlier.own.push(name);
             } else if name != WITHIN {
                 earlier.others = true;

@@ -1,13 +1,16 @@
 //! Where outputs are written before they take their names: hidden, held by one process, gone whenever that one ends.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use same_file::Handle;
 
 use super::error::WriteProblem;
+
+/// Bytes that are written at once.
+const PIECE: usize = 1 << 16;
 
 /// What is staged now, for [`discard_staged`].
 static STAGED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -76,7 +79,7 @@ impl Stage {
     pub fn file(path: PathBuf, contents: &[u8]) -> Result<Self, WriteProblem> {
         let create = |path: &Path| OpenOptions::new().write(true).create(true).truncate(false).open(path).map(drop);
         let stage = Self::hold(path, create)?;
-        stage.write("", contents)?;
+        stage.write("", |out| Ok(out.write_all(contents)?))?;
         Ok(stage)
     }
 
@@ -95,12 +98,18 @@ impl Stage {
         &self.path
     }
 
-    /// Writes a file in it, or itself without a name, through to the disk; undisturbed by [`discard_staged`].
-    pub fn write(&self, name: &str, contents: &[u8]) -> io::Result<()> {
-        let _undisturbed = staged();
-        let mut file = if name.is_empty() { File::create(&self.path)? } else { File::create(self.path.join(name))? };
-        file.write_all(contents)?;
-        file.sync_all()
+    /// Writes a file in it, or itself without a name, through to the disk.
+    pub fn write(
+        &self,
+        name: &str,
+        contents: impl FnOnce(&mut dyn Write) -> Result<(), WriteProblem>,
+    ) -> Result<(), WriteProblem> {
+        let path = if name.is_empty() { self.path.clone() } else { self.path.join(name) };
+        let undisturbed = staged();
+        let mut out = BufWriter::with_capacity(PIECE, Piecewise(File::create(path)?));
+        drop(undisturbed);
+        contents(&mut out)?;
+        Ok(out.into_inner().map_err(io::IntoInnerError::into_error)?.0.sync_all()?)
     }
 
     /// Says in it that a name is to go, by a directory of that name.
@@ -120,6 +129,20 @@ impl Stage {
         }
         drop(undisturbed);
         Ok(done?)
+    }
+}
+
+/// A staged file, of which each piece is written undisturbed by [`discard_staged`].
+struct Piecewise(File);
+
+impl Write for Piecewise {
+    fn write(&mut self, piece: &[u8]) -> io::Result<usize> {
+        let _undisturbed = staged();
+        self.0.write(piece)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
     }
 }
 
