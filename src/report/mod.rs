@@ -7,6 +7,8 @@ mod numbers;
 mod page;
 mod pictures;
 
+pub use pictures::picture_files;
+
 use crate::exechon::{RingReport, ring_picture};
 use crate::plot::PlotError;
 use crate::study::{Report, Setup};
