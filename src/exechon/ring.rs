@@ -2,7 +2,7 @@
 
 use super::input::{InputError, touches};
 use super::{ALONG, PointError, rotation_at};
-use crate::study::coverage_factor;
+use crate::study::{Histogram, coverage_factor};
 use std::path::Path;
 use trunnion_solver::circle::{CircleError, CircleFit, Zone, least_squares, minimum_zone};
 use trunnion_solver::exechon::Machine;
@@ -57,6 +57,18 @@ impl RingReport {
         let factor = coverage_factor(u32::try_from(self.degrees_of_freedom()).ok());
         let half = |k: usize| factor * covariance[(k, k)].sqrt();
         Some(ExpandedCircle { factor, centre: [half(0), half(1)], diameter: 2.0 * half(2) })
+    }
+
+    /// The radial deviations counted; none where they leave no scatter.
+    pub fn histogram(&self) -> Option<Histogram> {
+        let std = self.fit.scatter?.residual_std;
+        Some(Histogram::of(self.deviations.iter().map(|(_, mm)| *mm), std))
+    }
+
+    /// Root mean square of the radial deviations, mm.
+    pub fn rms(&self) -> f64 {
+        let squares: f64 = self.deviations.iter().map(|(_, mm)| mm * mm).sum();
+        (squares / self.deviations.len().max(1) as f64).sqrt()
     }
 
     /// Diameter of the ring that was touched from inside with a ball of this diameter, mm.

@@ -1,6 +1,7 @@
 //! The pictures of a fit.
 
 use crate::data::Files;
+use crate::exechon::RingReport;
 use crate::plot::{Chart, Mark, Panel, PlotError, PolarChart, Rim, Scale, Series, Tone};
 use crate::study::{Curve, Histogram, Report, Trace, TracePoint};
 use serde_json::{Value, json};
@@ -52,6 +53,12 @@ pub fn picture_files(report: &Report) -> Result<Files, PlotError> {
         files.add(format!("{}.svg", own.name), curve(own, &format!("{} of {}", own.name, report.model))?);
     }
     Ok(files)
+}
+
+/// The radial deviations of a ring counted; none where they leave no scatter.
+pub(super) fn ring(report: &RingReport) -> Result<Option<String>, PlotError> {
+    let histogram = report.histogram().filter(|histogram| !histogram.counts.is_empty());
+    histogram.map(|own| counts(&own, report.deviations.len(), Unit::Um.from_inner(report.rms()), "")).transpose()
 }
 
 fn of_run(report: &Report, index: usize, titles: [&str; 3]) -> Result<OfRun, PlotError> {

@@ -115,6 +115,16 @@ fn ring_and_offset_have_theirs() {
     let (ring, page) = reported(at, &["exechon", "ring", "touches.csv", "--json"]);
     assert!(page.follows(&ring) > 15);
     page.is_whole();
+    // Every touch is in its bin, worked out here from the deviations.
+    let [from, width] = ["from_um", "width_um"].map(|key| ring["histogram"][key].as_f64().unwrap());
+    let mut counts = vec![0; ring["histogram"]["counts"].as_array().unwrap().len()];
+    let deviations: Vec<f64> =
+        ring["deviations"].as_array().unwrap().iter().map(|d| 1e3 * d["deviation_mm"].as_f64().unwrap()).collect();
+    deviations.iter().for_each(|um| counts[((um - from) / width).floor() as usize] += 1);
+    assert_eq!(ring["histogram"]["counts"], serde_json::json!(counts));
+    let squares: f64 = deviations.iter().map(|um| um * um).sum();
+    assert!((ring["rms_um"].as_f64().unwrap() - (squares / 12.0).sqrt()).abs() < 1e-9);
+    assert!(page.html.contains("Histogram of the radial deviations"));
     // Nine degrees of freedom: Student's t of 97.5 %.
     assert!((ring["least_squares"]["coverage_factor"].as_f64().unwrap() - 2.262_157).abs() < 1e-5);
     let (offset, page) = reported(at, &["exechon", "offset", "reversed.csv"]);

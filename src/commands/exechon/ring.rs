@@ -9,6 +9,7 @@ use clap::{ArgGroup, Args};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use trunnion::data::Unit;
+use trunnion::document;
 use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
 use trunnion::report as page;
 use trunnion::study::COVERAGE;
@@ -87,6 +88,8 @@ impl RingArguments {
                 "expanded_uncertainty_mm": expanded.map(|e| json!({ "centre": e.centre, "diameter": e.diameter })),
             },
             "coverage": COVERAGE,
+            "rms_um": Unit::Um.from_inner(report.rms()),
+            "histogram": report.histogram().as_ref().map(document::counted),
             "deviations": deviations.collect::<Vec<_>>(),
             "minimum_zone": {
                 "centre_mm": zone.centre,
