@@ -2,6 +2,7 @@
 
 use super::input::{InputError, TouchLine, touches};
 use super::{ALONG, rotation_at};
+use crate::data::Stamp;
 use std::f64::consts::PI;
 use std::path::Path;
 use trunnion_solver::exechon::Machine;
@@ -52,11 +53,11 @@ pub struct ReversalReport {
     pub correlation: f64,
 }
 
-/// The offset from a file of touches (`x_mm,y_mm,z_mm,spindle_deg`).
+/// The offset from a file of touches (`x_mm,y_mm,z_mm,spindle_deg`), with what was read.
 ///
 /// # Errors
 /// [`InputError`].
-pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Result<OffsetReport, InputError> {
+pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Result<(OffsetReport, Stamp), InputError> {
     let turned = |&TouchLine { line, position, spindle }: &TouchLine| {
         let rotation = rotation_at(machine, position, ALONG).map_err(|problem| InputError::Point {
             file: file.to_owned(),
@@ -65,7 +66,8 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
         })?;
         Ok(([position[0], position[1]], spindle, spindle - rotation))
     };
-    let touched = touches(file, None, 1)?.iter().map(turned).collect::<Result<Vec<_>, InputError>>()?;
+    let (touched, stamp) = touches(file, None, 1)?;
+    let touched = touched.iter().map(turned).collect::<Result<Vec<_>, InputError>>()?;
     let fit = |touches: Vec<Touch<f64>>| {
         offset(&touches, gauge.touch).map_err(|problem| InputError::Offset { file: file.to_owned(), problem })
     };
@@ -74,7 +76,7 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
     let with_rotation: Vec<Touch<f64>> = touched.iter().map(with).collect();
     let reversal = reversal(&with_rotation, gauge);
     let spindle_alone = touched.iter().map(alone).collect();
-    Ok(OffsetReport { with_rotation: fit(with_rotation)?, spindle_alone: fit(spindle_alone)?, reversal })
+    Ok((OffsetReport { with_rotation: fit(with_rotation)?, spindle_alone: fit(spindle_alone)?, reversal }, stamp))
 }
 
 /// E(8) and E(9) where the touches are the paper's: both ways along x and y, then +x and +y with the spindle reversed.

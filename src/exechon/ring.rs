@@ -2,6 +2,7 @@
 
 use super::input::{InputError, touches};
 use super::{ALONG, PointError, rotation_at};
+use crate::data::Stamp;
 use crate::study::{Histogram, coverage_factor};
 use std::path::Path;
 use trunnion_solver::circle::{CircleError, CircleFit, Zone, least_squares, minimum_zone};
@@ -115,7 +116,7 @@ pub fn ring_report(
     Ok(RingReport { deviations, fit, zone, spread })
 }
 
-/// As [`ring_report`] from a file of touches (`x_mm,y_mm,z_mm` and perhaps `spindle_deg`, else 0).
+/// As [`ring_report`] from a file of touches (`x_mm,y_mm,z_mm` and perhaps `spindle_deg`, else 0), with what was read.
 ///
 /// # Errors
 /// [`InputError`].
@@ -124,16 +125,17 @@ pub fn ring_report_of(
     file: &Path,
     offset: Option<[f64; 2]>,
     step: f64,
-) -> Result<RingReport, InputError> {
-    let touches = touches(file, Some(0.0), 1)?;
+) -> Result<(RingReport, Stamp), InputError> {
+    let (touches, stamp) = touches(file, Some(0.0), 1)?;
     let points: Vec<_> = touches.iter().map(|touch| (touch.position, touch.spindle)).collect();
-    ring_report(machine, &points, offset, step).map_err(|error| {
+    let report = ring_report(machine, &points, offset, step).map_err(|error| {
         let file = file.to_owned();
         match error {
             RingError::Circle(problem) => InputError::Circle { file, problem },
             RingError::Point(at, problem) => InputError::Point { file, line: touches[at].line, problem },
         }
-    })
+    })?;
+    Ok((report, stamp))
 }
 
 /// Repeats at each place.

@@ -184,6 +184,44 @@ fn files_are_known_again() {
 }
 
 #[test]
+fn what_comes_through_a_pipe_has_the_digest_of_its_bytes() {
+    let directory = simulated(MODEL, &["--radius", "150"]);
+    let at = directory.path();
+    // More than a pipe holds at once, so that not all of it is there when it is opened.
+    let tilting = fs::read_to_string(at.join("tilting.csv")).unwrap() + &"\n".repeat(100_000);
+    fs::write(at.join("tilting.csv"), tilting).unwrap();
+    fs::write(at.join("touches.csv"), touches(true)).unwrap();
+    let commands = [
+        (
+            "fit tilting-table-a --radius 150 --run tilting=- --run separation=separation.csv --table table.csv --json",
+            "tilting.csv",
+        ),
+        (
+            "fit tilting-table-a --radius 150 --run tilting=tilting.csv --run separation=separation.csv --table - --json",
+            "table.csv",
+        ),
+        ("exechon ring - --json", "touches.csv"),
+        ("exechon offset -", "touches.csv"),
+    ];
+    for (command, file) in commands {
+        let reported = format!("cat {file} | \"$0\" {command} --report report.html");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &reported, env!("CARGO_BIN_EXE_trunnion")]).current_dir(at);
+        let output = shell.output().unwrap();
+        assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+        let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let files = document["made"]["files"].as_array().unwrap();
+        let own = files.iter().find(|own| own["name"] == "-").unwrap();
+        let sum = Command::new("sha256sum").current_dir(at).arg(file).output().unwrap();
+        let sum = String::from_utf8(sum.stdout).unwrap();
+        assert_eq!(own["sha256"].as_str(), sum.split(' ').next(), "{command}");
+        assert_eq!(own["bytes"], fs::metadata(at.join(file)).unwrap().len(), "{command}");
+        let html = fs::read_to_string(at.join("report.html")).unwrap();
+        assert!(html.contains("standard input") && html.contains(sum.split(' ').next().unwrap()), "{command}");
+    }
+}
+
+#[test]
 fn curves_read_back_as_a_table_of_known_functions() {
     let directory = simulated(MODEL, &["--radius", "150"]);
     let at = directory.path();

@@ -52,7 +52,8 @@ impl OffsetArguments {
             ));
         }
         let machine = self.which.read()?;
-        let OffsetReport { with_rotation, spindle_alone, reversal } = offset_report(&machine, &self.file, &gauge)?;
+        let (report, stamp) = offset_report(&machine, &self.file, &gauge)?;
+        let OffsetReport { with_rotation, spindle_alone, reversal } = report;
         let factor = coverage_factor(None);
         let fit = |fit: &OffsetFit<f64>| {
             let std = [fit.covariance[(0, 0)].sqrt(), fit.covariance[(1, 1)].sqrt()];
@@ -95,7 +96,7 @@ impl OffsetArguments {
                 input(("a touch", self.repeatability, "two standard deviations", gauge.touch), parts.map(|p| p[0])),
                 input(("the ring's radius", self.accuracy, "two of its diameter", gauge.ring), parts.map(|p| p[1])),
             ],
-            "made": self.report.made(&read_files(&self.which, &self.file)),
+            "made": self.report.made(&read_files(&self.which, &self.file, stamp)),
         });
         let html = self.report.is_wanted().then(|| page::offset(&report)).transpose()?;
         self.report.write(&self.report.guard(self.which.inputs().chain([self.file.as_path()])), html)?;
