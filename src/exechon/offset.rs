@@ -38,6 +38,41 @@ pub struct OffsetReport {
     pub reversal: Option<ReversalReport>,
 }
 
+/// What something puts into a coordinate of an offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OffsetPart {
+    /// Its own standard uncertainty, mm.
+    pub std: f64,
+    /// What of the coordinate's standard uncertainty is its, mm.
+    pub contribution: f64,
+    /// By how much the coordinate changes with it.
+    pub sensitivity: f64,
+    /// Of the coordinate's variance.
+    pub share: f64,
+}
+
+impl OffsetReport {
+    /// Standard uncertainty of both coordinates, mm: by reversal, where there is one, else of all touches together.
+    pub fn uncertainty(&self) -> [f64; 2] {
+        let covariance = &self.with_rotation.covariance;
+        self.reversal.map_or_else(|| [0, 1].map(|k| covariance[(k, k)].sqrt()), |own| own.uncertainty)
+    }
+
+    /// What a touch and the ring's diameter put into each of both coordinates.
+    pub fn parts(&self, gauge: &Gauge) -> [[OffsetPart; 2]; 2] {
+        let all = self.uncertainty();
+        // All together find the radius themselves.
+        let parts = self.reversal.map_or([all, [0.0; 2]], |own| own.parts);
+        let part = |k: usize, std: f64, contribution: f64| OffsetPart {
+            std,
+            contribution,
+            sensitivity: if std > 0.0 { contribution / std } else { 0.0 },
+            share: if all[k] > 0.0 { (contribution / all[k]).powi(2) } else { 0.0 },
+        };
+        [0, 1].map(|k| [part(k, gauge.touch, parts[0][k]), part(k, 2.0 * gauge.ring, parts[1][k])])
+    }
+}
+
 /// The paper's formulas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReversalReport {

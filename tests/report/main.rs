@@ -106,6 +106,17 @@ fn touches(reversed: bool) -> String {
     lines
 }
 
+/// The paper's touches in the ring: four ways, and two with the spindle reversed, with an offset of (0.21, 0.16) mm. The spindle
+/// follows the dependent rotation, which is none at home's x.
+fn reversal() -> String {
+    let (r, [ox, oy]) = (17.0005_f64, [0.21_f64, 0.16]);
+    let [along, across] = [(r * r - oy * oy).sqrt(), (r * r - ox * ox).sqrt()];
+    let there = [[along - ox, 0.0, 0.0], [-along - ox, 0.0, 0.0], [0.0, across - oy, 0.0], [0.0, -across - oy, 0.0]];
+    let back = [[along + ox, 0.0, 180.0], [0.0, across + oy, 180.0]];
+    let lines = there.iter().chain(&back).map(|[x, y, spindle]| format!("{x},{y},-168,{spindle}\n"));
+    "x_mm,y_mm,z_mm,spindle_deg\n".to_owned() + &lines.collect::<String>()
+}
+
 #[test]
 fn ring_and_offset_have_theirs() {
     let directory = tempfile::tempdir().unwrap();
@@ -127,10 +138,29 @@ fn ring_and_offset_have_theirs() {
     assert!(page.html.contains("Histogram of the radial deviations"));
     // Nine degrees of freedom: Student's t of 97.5 %.
     assert!((ring["least_squares"]["coverage_factor"].as_f64().unwrap() - 2.262_157).abs() < 1e-5);
+    fs::write(at.join("paper.csv"), reversal()).unwrap();
     let (offset, page) = reported(at, &["exechon", "offset", "reversed.csv"]);
     assert!(page.follows(&offset) > 20);
     page.is_whole();
     assert!((offset["coverage_factor"].as_f64().unwrap() - 1.959_964).abs() < 1e-6);
+    // A ring that is 2 µm larger moves the offset by what the budget says, and the rows make what stands beside the result.
+    let number = |value: &Value| value.as_f64().unwrap();
+    let larger: Value =
+        serde_json::from_str(&good(at, &["exechon", "offset", "paper.csv", "--diameter", "40.003"])).unwrap();
+    let (nominal, page) = reported(at, &["exechon", "offset", "paper.csv"]);
+    page.follows(&nominal);
+    page.is_whole();
+    for k in 0..2 {
+        let budget = &nominal["budgets"][k];
+        let moved = number(&larger["reversal"]["exact_mm"][k]) - number(&nominal["reversal"]["exact_mm"][k]);
+        let [touch, ring] = [0, 1].map(|row| &budget["inputs"][row]);
+        assert!((moved.abs() / 2e-3 - number(&ring["sensitivity"])).abs() < 1e-4, "{moved}");
+        let squares = [touch, ring].map(|row| (number(&row["std"]) * number(&row["sensitivity"])).powi(2));
+        let std = squares.iter().sum::<f64>().sqrt();
+        assert!((std - number(&budget["budget"]["std"])).abs() < 1e-9);
+        let told = number(&nominal["reversal"]["expanded_uncertainty_mm"][k]);
+        assert!((1e-3 * number(&budget["budget"]["u95"]) - told).abs() < 1e-12);
+    }
 }
 
 #[test]
