@@ -211,7 +211,9 @@ fn a_new_folder_has_all_that_a_measurement_needs() {
     }
 
     let plan = read("measuring-plan.md");
-    for said in ["| eps_xa |", "°/µm", "### 1. tilting", "sweep -30.0° to 120.0°", "`separation-back.csv`"] {
+    for said in
+        ["| eps_xa |", "°/µm", "### 1. tilting", "sweep -30.0° to 120.0°", "`separation-back.csv`", "A about +x"]
+    {
         assert!(plan.contains(said), "{said}: {plan}");
     }
 

@@ -1,6 +1,7 @@
 //! The commands of the guide, run in its order.
 
 use super::{hold, read, root, run};
+use serde_json::Value;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -49,7 +50,8 @@ fn every_command_does_what_the_guide_says() {
     let at = directory.path();
     let page = read(PAGE);
     let commands: Vec<&str> = blocks(&page, "sh").into_iter().flat_map(str::lines).collect();
-    assert_eq!(commands.len(), 9);
+    assert_eq!(commands.len(), 10);
+    let [planned, _] = blocks(&page, "text")[..] else { panic!("what plan prints, and a table") };
     let [instrument, practice] = blocks(&page, "toml")[..] else { panic!("two blocks for the project file") };
     let project = at.join("table/trunnion.toml");
     for line in commands {
@@ -68,7 +70,12 @@ fn every_command_does_what_the_guide_says() {
             fs::write(&project, dated).unwrap();
             run(at, "trunnion fit table --json > april.json");
         }
-        run(at, line);
+        let printed = run(at, line);
+        if line.starts_with("trunnion plan") {
+            assert!(printed.contains(planned), "{printed}");
+            let five = run(at, &line.replace("--within 10", "--within 5"));
+            assert!(five.contains("5 runs") && five.contains("± 2.669 urad") && page.contains("five that give ±2.7"));
+        }
         if line.starts_with("trunnion new") {
             state(&project, instrument);
             let dated = fs::read_to_string(&project).unwrap().replace("# date = \"\"", "date = \"2026-11-29\"");
@@ -80,6 +87,9 @@ fn every_command_does_what_the_guide_says() {
     }
     let report = fs::read_to_string(at.join("report.html")).unwrap();
     assert!(report.contains("QC20-W") && report.contains("Measured on"), "the report has what the project states");
+    let fitted: Value = serde_json::from_str(&fs::read_to_string(at.join("november.json")).unwrap()).unwrap();
+    let u95 = fitted["functions"][0]["largest"]["budget"]["u95"].as_f64().unwrap();
+    assert!(page.contains(&format!("the four of the catalogue give ±{u95:.0}")), "{u95}");
     let table = fs::read_to_string(at.join("B.comp")).unwrap();
     assert_eq!(table.lines().map(|row| row.split(' ').count()).collect::<Vec<_>>(), [3; 101]);
     assert!(fs::read_dir(at.join("curves")).unwrap().count() > 0);

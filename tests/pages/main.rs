@@ -15,16 +15,18 @@ fn read(page: &str) -> String {
     fs::read_to_string(root().join(page)).unwrap()
 }
 
-/// Runs a line as a shell would, standard output into a file where the line says so; what cargo runs is the program.
-fn run(directory: &Path, line: &str) {
+/// Runs a line as a shell would, standard output into a file where the line says so; what cargo runs is the program. What it
+/// prints.
+fn run(directory: &Path, line: &str) -> String {
     let (command, into) = line.split_once(" > ").map_or((line, None), |(command, file)| (command, Some(file)));
     let words = ["trunnion ", "cargo run --release -- "].iter().find_map(|program| command.strip_prefix(program));
     let words = words.unwrap_or_else(|| panic!("no command: {line}")).split_whitespace();
     let output = Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(words).output().unwrap();
     assert_eq!(output.status.code(), Some(0), "{line}: {}", String::from_utf8_lossy(&output.stderr));
     if let Some(file) = into {
-        fs::write(directory.join(file), output.stdout).unwrap();
+        fs::write(directory.join(file), &output.stdout).unwrap();
     }
+    String::from_utf8(output.stdout).unwrap()
 }
 
 /// Drawings that a page shows.
