@@ -138,6 +138,13 @@ fn bad_input_is_named() {
     assert!(refused(&["--cw", &file("unit.csv", &rows("angle,dr_um", 360))]).contains("a_deg or a_rad"));
     assert!(refused(&["--cw", &file("two.csv", &rows("a_deg,c_deg", 360))]).contains("same quantity"));
     assert!(refused(&["--cw", &file("rows.csv", &rows("a_deg,dr_um", 360).replace("9,0.9", "9,x"))]).contains(":11:"));
+    // What a message advises is there.
+    let other = file("other.csv", &rows("angle,reading", 360));
+    for from in [&["--cw", &other][..], &[&other]] {
+        assert!(refused(from).contains("--columns"));
+        assert!(succeeds(&[from, &["--columns", "a_deg=angle,dr_um=reading"]].concat()).contains("360.0°"));
+    }
+    assert!(refused(&["--cw", &other, "--columns", "b_deg=angle"]).contains("expected a and dr"));
     // Any name of the angle, and a picture that takes the place of nothing that is read.
     let good = file("good.csv", &rows("spindle_deg,dr_um", 360));
     assert!(succeeds(&["--ccw", &good]).contains("360.0°"));
