@@ -53,6 +53,7 @@ pub mod plot;
 pub mod program;
 pub mod project;
 pub mod report;
+mod roundness;
 pub mod study;
 
 pub use study::{Estimator, Setup};

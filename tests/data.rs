@@ -50,6 +50,11 @@ fn a_table_may_say_how_uncertain_it_is() {
     let at = known.at(5f64.to_radians()).unwrap();
     assert!((at.values[0] - 2e-6).abs() < 1e-18 && (at.stds[0] - 1e-6).abs() < 1e-18);
     assert_eq!(table("a_deg,ex_urad\n0,1\n10,3\n").at(0.0).unwrap().stds, [0.0]);
+    // A function that is called like another's uncertainty.
+    let (_kept, path) = file(b"a_deg,x_urad,u_x_urad,u_u_x_urad\n0,1,2,0.5\n10,3,4,0.5\n");
+    let function = |name: &str| Known { name: name.into(), quantity: Quantity::Angle };
+    let both = Table::read(&path, "a", &[function("x"), function("u_x")]).unwrap().at(0.0).unwrap();
+    assert_eq!((both.values, both.stds), (vec![1e-6, 2e-6], vec![0.0, 5e-7]));
     let (_kept, path) = file(b"a_deg,ex_urad,u_ex_urad\n0,1,-0.5\n10,3,1.5\n");
     let refused = Table::read(&path, "a", &angles("ex")).unwrap_err().to_string();
     assert!(refused.contains("a negative uncertainty in column u_ex"), "{refused}");

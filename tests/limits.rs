@@ -130,7 +130,7 @@ fn what_has_no_end_is_refused() {
         ("(echo '<a>'; yes) |", "import - --out x", "more than 16777216 bytes"),
         ("(printf '\\377\\376'; yes) |", "import - --out x", "a line of more than 65536 bytes"),
         ("(echo 'a_deg;dr_um'; yes '1;2,5') |", "import - --out x", "more than 300000 samples"),
-        (&format!("(echo {touches}; yes 17,200,-168,0) |"), "exechon ring -", "more than 1000 touches"),
+        (&format!("(echo {touches}; yes 17,200,-168,0) |"), "exechon ring -", "more than 10000 touches"),
         (&format!("(echo {poses}; yes x) |"), "exechon ik -", "more than 20000000 lines"),
     ] {
         refused(at, before, arguments, told);

@@ -15,10 +15,12 @@ pub const LIST: usize = 200;
 pub const OPERATORS: usize = 500;
 /// How deep parentheses, functions and signs of an expression may be nested.
 pub const NESTING: usize = 100;
-/// Terms of an expression's value, multiplied out, and of each of its parts'.
+/// Terms of an expression's value, multiplied out, of each of its parts' and of each step of a power.
 pub const TERMS: usize = 200;
-/// Products of two terms on the way to a part's value, so that a power ends before it fills the memory.
+/// Products of two terms in one product of an expression.
 pub const PRODUCTS: usize = 10_000;
+/// Decimal digits above or below the line of a number on the way to a part's value: as many as `f64` can be large.
+pub const DIGITS: u64 = 300;
 /// Pairs of terms in one product of a derivation: more than 250,000 stand in the second order of the catalogue's largest machines.
 pub const PAIRS: usize = 2_000_000;
 /// Terms of all parameters' coefficients in all runs together, before they are reduced: the catalogue's models have up to 635.

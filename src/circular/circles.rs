@@ -2,8 +2,8 @@
 
 use super::profile::Profile;
 use super::trace::{Trace, point};
-use super::zone::{about, zone};
 use crate::data::Radius;
+use crate::roundness::zone;
 use std::f64::consts::TAU;
 use trunnion_solver::circle::{CircleError, CircleFit, Point, Zone, least_squares};
 
@@ -73,4 +73,10 @@ pub(super) fn hysteresis(paths: [&Trace; 2], radius: Radius, centre: Point<f64>)
         Some(At { deviation, angle: angle.rem_euclid(TAU) })
     });
     apart.max_by(|a, b| a.deviation.total_cmp(&b.deviation))
+}
+
+/// A point's direction (rad) and distance (mm) from a centre.
+fn about([x, y]: Point<f64>, p: &Point<f64>) -> (f64, f64) {
+    let (u, v) = (p[0] - x, p[1] - y);
+    (v.atan2(u), u.hypot(v))
 }

@@ -29,7 +29,6 @@ mod terms;
 mod text;
 mod trace;
 mod undetermined;
-mod zone;
 
 pub use circles::{At, Circles, Radial};
 pub use direction::Direction;

@@ -8,8 +8,8 @@ pub const LINES: u64 = 20_000_000;
 pub const KEPT: usize = 1_000_000;
 /// Samples of all runs together that are kept with all that belongs to them: simulated ones; nodes of a table.
 pub const SAMPLES: usize = 300_000;
-/// Touches of a ring: the search for its minimum zone takes their number's third power.
-pub const TOUCHES: usize = 1_000;
+/// Touches of a ring or an offset.
+pub const TOUCHES: usize = 10_000;
 /// Bytes of a file that may be an earlier result.
 pub const RESULT: u64 = 1 << 26;
 /// Bytes of a text that is read as a whole: a model file, a machine file.

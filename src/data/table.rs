@@ -71,7 +71,7 @@ pub struct KnownAtSamples {
 
 impl Table {
     /// Reads a table: column `<angle>_deg|_rad`, and `<name>_um|_mm` or `<name>_urad|_rad` for each function; its standard
-    /// uncertainty in `u_<name>_um`, where that is known.
+    /// uncertainty in `u_<name>_um`, where that is known (and no function is called `u_<name>` itself).
     ///
     /// Nodes may come in any order, and twice with the same values.
     ///
@@ -84,8 +84,12 @@ impl Table {
 
     /// As [`Table::read`], with what was read.
     pub(super) fn read_stamped(file: &Path, angle: &str, functions: &[Known]) -> Result<(Self, Stamp), FileError> {
-        let uncertain: Vec<String> = functions.iter().map(|known| format!("u_{}", known.name)).collect();
-        let stated = functions.iter().zip(&uncertain);
+        let uncertainty = |known: &Known| {
+            let name = format!("u_{}", known.name);
+            functions.iter().all(|other| other.name != name).then_some(name)
+        };
+        let uncertain: Vec<Option<String>> = functions.iter().map(uncertainty).collect();
+        let stated = functions.iter().zip(&uncertain).filter_map(|(known, name)| Some((known, name.as_ref()?)));
         let stated =
             stated.map(|(known, name)| Wanted { absent: Some(0.0), ..Wanted::new(name, deviation(known.quantity)) });
         let columns: Vec<Wanted> = wanted(angle, functions).into_iter().chain(stated).collect();
@@ -93,7 +97,9 @@ impl Table {
         let mut nodes: Vec<Node> = lines.all(SAMPLES, Need::Interpolation, |line| {
             let (angle_rad, rest) = line.values.split_first()?;
             let (values, stds) = rest.split_at_checked(functions.len())?;
-            Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), stds: stds.to_vec(), line: line.line })
+            let mut stated = stds.iter().copied();
+            let stds = uncertain.iter().map(|name| name.as_ref().and_then(|_| stated.next()).unwrap_or(0.0)).collect();
+            Some(Node { angle_rad: angle_rad + 0.0, values: values.to_vec(), stds, line: line.line })
         })?;
         nodes.sort_by(|a, b| a.angle_rad.total_cmp(&b.angle_rad));
         let fail = |problem| FileError { file: file.to_owned(), problem };
@@ -228,10 +234,10 @@ fn contradictions(nodes: &[Node], functions: &[Known]) -> Vec<LineProblem> {
 }
 
 /// Uncertainties that are none.
-fn negative(nodes: &[Node], names: &[String]) -> Vec<LineProblem> {
+fn negative(nodes: &[Node], names: &[Option<String>]) -> Vec<LineProblem> {
     let of = |node: &Node| {
         let negative = node.stds.iter().zip(names).find(|(std, _)| **std < 0.0);
-        let problem = negative.map(|(_, name)| FieldProblem::Negative { column: name.clone() });
+        let problem = negative.map(|(_, name)| FieldProblem::Negative { column: name.clone().unwrap_or_default() });
         problem.map(|problem| LineProblem { line: node.line, problem })
     };
     nodes.iter().filter_map(of).collect()

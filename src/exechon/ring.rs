@@ -3,9 +3,10 @@
 use super::input::{InputError, touches};
 use super::{ALONG, PointError, rotation_at};
 use crate::data::Stamp;
+use crate::roundness::zone;
 use crate::study::{Histogram, coverage_factor};
 use std::path::Path;
-use trunnion_solver::circle::{CircleError, CircleFit, Zone, least_squares, minimum_zone};
+use trunnion_solver::circle::{CircleError, CircleFit, Zone, least_squares};
 use trunnion_solver::exechon::Machine;
 use trunnion_solver::probe::ball;
 
@@ -108,7 +109,7 @@ pub fn ring_report(
         }
     };
     let balls = points.iter().enumerate().map(centre).collect::<Result<Vec<_>, RingError>>()?;
-    let (fit, zone) = (least_squares(&balls)?, minimum_zone(&balls)?);
+    let (fit, zone) = (least_squares(&balls)?, zone(&balls)?);
     let [a, b] = fit.circle.centre;
     let polar = |p: &[f64; 2]| ((p[1] - b).atan2(p[0] - a).rem_euclid(std::f64::consts::TAU), fit.circle.deviation(p));
     let deviations: Vec<_> = balls.iter().map(polar).collect();

@@ -39,7 +39,7 @@ pub(super) fn exact(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
 /// image is of lower degree.
 pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
     if a.is_zero() || b.is_zero() || a == b {
-        return primitive(if a.is_zero() { b } else { a });
+        return Ok(if a.is_zero() { b } else { a }.primitive()?.1);
     }
     let scale = Scale::of(a, b);
     let mut lifted: Option<(Lifted, [Poly; 2])> = None;
@@ -60,10 +60,10 @@ pub(super) fn gcd(a: &Poly, b: &Poly) -> Result<Poly, AlgebraError> {
                     }
                 }
             }
-            None if lead == y.keys().next_back() && divide(a, b)?.is_some() => return primitive(b),
-            None if lead == x.keys().next_back() && divide(b, a)?.is_some() => return primitive(a),
+            None if lead == y.keys().next_back() && divide(a, b)?.is_some() => return Ok(b.primitive()?.1),
+            None if lead == x.keys().next_back() && divide(b, a)?.is_some() => return Ok(a.primitive()?.1),
             None => {
-                let whole = [primitive(a)?, primitive(b)?];
+                let whole = [a.primitive()?.1, b.primitive()?.1];
                 let mut first = Lifted::new(&whole);
                 first.add(&common, field);
                 lifted = Some((first, whole));
@@ -130,10 +130,16 @@ fn image(p: &Poly, one: Option<NominalId>, field: Field) -> Option<Image> {
     })
 }
 
-/// With coprime whole coefficients.
-fn primitive(p: &Poly) -> Result<Poly, AlgebraError> {
-    let content = rational::content(p.terms().iter().map(|(_, c)| c));
-    if content.is_one() { Ok(p.clone()) } else { p.over(Monomial::ONE, &content) }
+impl Poly {
+    /// What its numbers have in common, and itself over that: with coprime whole coefficients.
+    ///
+    /// # Errors
+    /// As of every exact computation.
+    pub fn primitive(&self) -> Result<(Rational, Self), AlgebraError> {
+        let content = rational::content(self.terms().iter().map(|(_, c)| c));
+        let whole = if content.is_one() { self.clone() } else { self.over(Monomial::ONE, &content)? };
+        Ok((content, whole))
+    }
 }
 
 /// A polynomial with whole coefficients by its residues modulo a growing product of primes, each of the least size.
@@ -180,7 +186,7 @@ impl Lifted {
     fn poly(&self) -> Result<Poly, AlgebraError> {
         let term =
             |(powers, c): (&Powers, &BigInt)| (Monomial::of_powers(*powers), Rational::from_big(c.clone().into()));
-        primitive(&Poly::from_terms(self.terms.iter().map(term).collect())?)
+        Ok(Poly::from_terms(self.terms.iter().map(term).collect())?.primitive()?.1)
     }
 }
 

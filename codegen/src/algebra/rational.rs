@@ -103,6 +103,14 @@ impl Rational {
         }
     }
 
+    /// Binary digits of the longer of its two integers.
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Repr::Small(n, d) => (i128::BITS - n.unsigned_abs().max(d.get().unsigned_abs()).leading_zeros()).into(),
+            Repr::Big(big) => big.numer().bits().max(big.denom().bits()),
+        }
+    }
+
     /// True for 0.
     pub fn is_zero(&self) -> bool {
         *self == Self::ZERO
@@ -177,8 +185,7 @@ impl Rational {
     /// `self^exponent`; `None` for a negative power of 0 and for one with more digits than the range of `f64` has.
     pub(crate) fn power(&self, exponent: i32) -> Option<Self> {
         const MOST: u64 = f64::MAX_EXP.unsigned_abs() as u64;
-        let bits = self.numer().bits().max(self.denom().bits());
-        let fits = bits.saturating_sub(1).saturating_mul(exponent.unsigned_abs().into()) <= MOST;
+        let fits = self.bits().saturating_sub(1).saturating_mul(exponent.unsigned_abs().into()) <= MOST;
         let defined = exponent >= 0 || !self.is_zero();
         (fits && defined).then(|| Self::from_big(self.to_big().pow(exponent)))
     }

@@ -2,7 +2,7 @@
 
 use super::{Expr, ExprKind, Operator};
 use crate::algebra::{AlgebraError, Alphabet, Angle, Monomial, Order, Poly, Rational, SweepId};
-use crate::limits::{PRODUCTS, TERMS};
+use crate::limits::{DIGITS, PRODUCTS, TERMS};
 use crate::source::Span;
 
 /// What is wrong with a well-formed expression.
@@ -21,8 +21,10 @@ pub enum Meaning {
     Exponent,
     /// A square root other than of 2·n² or n².
     Root,
-    /// A part with more than [`TERMS`] terms, or more than [`PRODUCTS`] products of two on the way to it.
+    /// A part or a step to it with more than [`TERMS`] terms, or of more than [`PRODUCTS`] products of two.
     TooManyTerms,
+    /// A part or a step to it with a number of more than [`DIGITS`] digits.
+    TooManyDigits,
     /// An exact computation failed.
     Algebra(AlgebraError),
 }
@@ -39,6 +41,7 @@ impl core::fmt::Display for Meaning {
                 f.write_str("only square roots of n² and 2n² are exact here; one of a sum stands alone under `define`")
             }
             Self::TooManyTerms => write!(f, "more than {TERMS} terms when it is multiplied out"),
+            Self::TooManyDigits => write!(f, "a number of more than {DIGITS} digits when it is worked out"),
             Self::Algebra(e) => core::fmt::Display::fmt(e, f),
         }
     }
@@ -63,8 +66,7 @@ pub struct Scope<'a> {
 impl Scope<'_> {
     /// Value of an expression.
     pub fn poly(&self, e: &Expr) -> Result<Poly, EvaluationError> {
-        let value = self.value(e)?;
-        if value.terms().len() > TERMS { Err((e.span.clone(), Meaning::TooManyTerms)) } else { Ok(value) }
+        bounded(e, self.value(e)?)
     }
 
     fn value(&self, e: &Expr) -> Result<Poly, EvaluationError> {
@@ -76,10 +78,7 @@ impl Scope<'_> {
             ExprKind::Negative(x) => Ok(self.poly(x)?.negated()),
             ExprKind::Binary(Operator::Power, x, n) => {
                 match self.poly(n)?.as_number().and_then(|n| n.to_integer()).map(u32::try_from) {
-                    Some(Ok(n)) if n <= 20 => {
-                        let x = self.poly(x)?;
-                        (0..n).try_fold(Poly::one(), |power, _| product(e, &power, &x))
-                    }
+                    Some(Ok(n)) if n <= 20 => power(e, &self.poly(x)?, n),
                     _ => Err((n.span.clone(), Meaning::Exponent)),
                 }
             }
@@ -153,16 +152,36 @@ impl Scope<'_> {
     }
 }
 
-/// A product that is the value of an expression, or a step to it.
+/// A product that is the value of an expression, or a step to it; multiplied out with whole coefficients, which takes no search
+/// for common divisors.
 fn product(e: &Expr, x: &Poly, y: &Poly) -> Result<Poly, EvaluationError> {
-    let meaning = match x.terms().len() * y.terms().len() {
-        0..=PRODUCTS => match x.times(y, Order::NOMINAL) {
-            Ok(product) => return Ok(product),
-            Err(e) => Meaning::Algebra(e),
-        },
-        _ => Meaning::TooManyTerms,
+    if x.terms().len() * y.terms().len() > PRODUCTS {
+        return Err((e.span.clone(), Meaning::TooManyTerms));
+    }
+    let exact = || {
+        let ((common, x), (factor, y)) = (x.primitive()?, y.primitive()?);
+        x.times(&y, Order::NOMINAL)?.scaled(&(&common * &factor))
     };
-    Err((e.span.clone(), meaning))
+    bounded(e, exact().map_err(|a| (e.span.clone(), Meaning::Algebra(a)))?)
+}
+
+/// A power, whose coefficients are whole to the last step.
+fn power(e: &Expr, x: &Poly, n: u32) -> Result<Poly, EvaluationError> {
+    let exact = |r: Result<_, AlgebraError>| r.map_err(|a| (e.span.clone(), Meaning::Algebra(a)));
+    let (common, whole) = exact(x.primitive())?;
+    let whole = (0..n).try_fold(Poly::one(), |power, _| product(e, &power, &whole))?;
+    let common = common.power(n.cast_signed()).ok_or_else(|| (e.span.clone(), Meaning::TooManyDigits))?;
+    product(e, &whole, &Poly::constant(common))
+}
+
+/// A value with neither too many terms nor too many digits: what is made of it takes as long as the squares of both say.
+fn bounded(e: &Expr, value: Poly) -> Result<Poly, EvaluationError> {
+    let long = |c: &Rational| c.bits() as f64 * core::f64::consts::LOG10_2 > DIGITS as f64;
+    match value.terms() {
+        terms if terms.len() > TERMS => Err((e.span.clone(), Meaning::TooManyTerms)),
+        terms if terms.iter().any(|(_, c)| long(c)) => Err((e.span.clone(), Meaning::TooManyDigits)),
+        _ => Ok(value),
+    }
 }
 
 /// √(n/d) as a rational or a rational times √2.
@@ -204,5 +223,12 @@ mod tests {
         assert_eq!(value("q").unwrap_err(), (0..1, Meaning::UnknownName("q".into())));
         assert_eq!(value("((1+R)*(1+a)*(1+sin(a))*(1+cos(a)))**20").unwrap_err().1, Meaning::TooManyTerms);
         assert_eq!(value("R/0").unwrap_err().1, Meaning::Algebra(AlgebraError::DivisionByZero));
+        assert!(value("(R + 10**14*a)**20").is_ok());
+        assert_eq!(value("(R + 10**16*a)**20").unwrap_err(), (0..18, Meaning::TooManyDigits));
+        // Found by fuzzing: with 2,000 digits it took a second.
+        assert_eq!(
+            value("(R + 12/-88460**8/22220/.102222/-88460**8/22220/R)**20").unwrap_err().1,
+            Meaning::TooManyDigits
+        );
     }
 }

@@ -3,7 +3,7 @@
 use crate::algebra::AlgebraError;
 use crate::basis::NoBasis;
 use crate::expression::{Expected, Meaning};
-use crate::limits::{NAME, TERMS};
+use crate::limits::{DIGITS, NAME, TERMS};
 use crate::source::{Span, shown};
 use core::fmt::{self, Write as _};
 
@@ -34,6 +34,8 @@ pub enum ProblemKind {
     Taken(String),
     /// Not a name: a letter, then letters, digits and underscores.
     NotAName(String),
+    /// A name after which no file can be called on Windows.
+    Device(String),
     /// A whole number out of its range.
     Range(u8, u8),
     /// An axis that is not described under `[axis.…]`.
@@ -123,6 +125,7 @@ impl fmt::Display for ProblemKind {
             Self::OneOf(value, _) => write!(f, "unknown value `{value}`"),
             Self::Taken(name) => write!(f, "the name `{name}` is taken already"),
             Self::NotAName(name) => write!(f, "`{name}` is not a name"),
+            Self::Device(name) => write!(f, "`{name}` is a device, not a file, on Windows"),
             Self::Range(low, high) => write!(f, "not a whole number from {low} to {high}"),
             Self::UnknownAxis(axis) => write!(f, "there is no [axis.{axis}]"),
             Self::Unplaced(axis) => write!(f, "axis {axis} is on neither side"),
@@ -221,7 +224,7 @@ impl ProblemKind {
             Self::Toml(_) | Self::Syntax(_) => "here",
             Self::UnknownKey(..) => "not known here",
             Self::Missing(_) | Self::NoCoordinate(_) | Self::NoRuns => "incomplete",
-            Self::Type(_) | Self::OneOf(..) | Self::Range(..) | Self::NotAName(_) => "this value",
+            Self::Type(_) | Self::OneOf(..) | Self::Range(..) | Self::NotAName(_) | Self::Device(_) => "this value",
             Self::Taken(_) => "used a second time",
             Self::UnknownAxis(_) | Self::UnknownError(_) | Self::NotAConstant(_) | Self::UnknownParameter(_) => {
                 "unknown"
@@ -242,8 +245,10 @@ impl ProblemKind {
             Self::NotAName(_) => {
                 format!("a letter first, then letters, digits and underscores, {NAME} characters at most")
             }
+            Self::Device(_) => "files are called after models and runs: another name, or a longer one".into(),
             Self::TooMany(..) => "no machine needs as many: leave some out, or describe it in several files".into(),
             Self::Meaning(Meaning::TooManyTerms) => format!("a coordinate or length of at most {TERMS} terms"),
+            Self::Meaning(Meaning::TooManyDigits) => format!("numbers of at most {DIGITS} digits: a constant stands for others"),
             Self::Unplaced(_) => {
                 "name it in `workpiece = […]` or `tool = […]`, from the machine's base outwards".into()
             }

@@ -2,7 +2,7 @@
 
 use super::least_squares::placed;
 use super::search::Cloud;
-use super::{CircleError, CircleFit, Point, Zone, least_squares};
+use super::{CircleError, CircleFit, Point, Zone, distance, least_squares, slack};
 use crate::Real;
 
 /// The minimum-zone circle: of all pairs of concentric circles around the points, the two that are nearest to each other.
@@ -13,25 +13,42 @@ use crate::Real;
 ///
 /// # Errors
 /// [`CircleError`]; [`CircleError::BetweenLines`] where the narrowest zone would have its centre at infinity, or beyond
-/// what `T` holds.
+/// what `T` holds; [`CircleError::NoConvergence`] where rounding hides it.
 pub fn minimum_zone<T: Real>(points: &[Point<T>]) -> Result<Zone<T>, CircleError> {
     let (origin, scale) = placed(points)?;
+    if in_line(points, slack(&origin, scale)) {
+        return Err(CircleError::InLine);
+    }
     let cloud = Cloud { points, origin, scale };
-    let zone = match least_squares(points) {
-        Ok(fit) if fit.roundness() <= slack(&fit) => round(&fit),
-        Err(CircleError::InLine) => return Err(CircleError::InLine),
+    let fit = least_squares(points);
+    let zone = match &fit {
+        Ok(fit) if fit.roundness() <= slack(&fit.circle.centre, fit.radii.1) => round(fit),
         _ => cloud.narrowest()?,
     };
     let Zone { centre: [x, y], inner, outer, .. } = zone;
-    if T::all_finite(&[x, y, inner, outer]) { Ok(zone) } else { Err(CircleError::BetweenLines) }
-}
-
-/// What rounding leaves of radii.
-fn slack<T: Real>(fit: &CircleFit<T>) -> T {
-    T::of(64.0) * T::epsilon() * (fit.radii.1 + fit.circle.centre[0].abs() + fit.circle.centre[1].abs())
+    if !T::all_finite(&[x, y, inner, outer]) {
+        return Err(CircleError::BetweenLines);
+    }
+    // Of points so far apart that the near ones lose their digits, the search may miss the narrowest.
+    let bound = |fit: CircleFit<T>| fit.roundness() + T::of(4.0) * slack(&zone.centre, outer + scale);
+    if fit.is_ok_and(|fit| zone.width() > bound(fit)) { Err(CircleError::NoConvergence) } else { Ok(zone) }
 }
 
 /// Points on one circle.
 fn round<T: Real>(fit: &CircleFit<T>) -> Zone<T> {
     Zone { centre: fit.circle.centre, inner: fit.radii.0, outer: fit.radii.1, contacts: None }
+}
+
+/// Whether all points are on the line through two that are far apart.
+fn in_line<T: Real>(points: &[Point<T>], slack: T) -> bool {
+    let farthest = |from: &Point<T>| {
+        let farther = |a: Point<T>, b: &Point<T>| if distance(from, b) > distance(from, &a) { *b } else { a };
+        points.iter().fold(*from, farther)
+    };
+    let Some(first) = points.first() else { return true };
+    let one = farthest(first);
+    let other = farthest(&one);
+    let length = distance(&one, &other);
+    let (x, y) = ((other[0] - one[0]) / length, (other[1] - one[1]) / length);
+    points.iter().all(|p| ((p[0] - one[0]) * y - (p[1] - one[1]) * x).abs() <= slack)
 }

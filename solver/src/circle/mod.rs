@@ -54,3 +54,8 @@ fn extremes<T: Real>(points: &[Point<T>], centre: &Point<T>) -> (T, T) {
         .map(|p| distance(centre, p))
         .fold((T::infinity(), T::zero()), |(low, high), r| (low.min(r), high.max(r)))
 }
+
+/// What rounding leaves of radii.
+fn slack<T: Real>([x, y]: &Point<T>, radius: T) -> T {
+    T::of(64.0) * T::epsilon() * (radius + x.abs() + y.abs())
+}

@@ -33,7 +33,7 @@ impl Resolver {
         if draft.name.value.is_empty() {
             self.problem::<()>(&draft.name.span, ProblemKind::Missing("name"));
         } else {
-            self.is_name(&draft.name);
+            self.is_file_name(&draft.name);
         }
         let notation = match draft.notation.as_ref().map(|t| (t, t.value.as_str())) {
             None | Some((_, "iso230")) => Notation::Iso230,

@@ -20,6 +20,15 @@ impl Resolver {
         good
     }
 
+    /// Whether files may be called so on every system.
+    pub fn is_file_name(&mut self, text: &Text) -> bool {
+        let device = is_device(&text.value);
+        if device {
+            self.problem::<()>(&text.span, ProblemKind::Device(text.value.clone()));
+        }
+        self.is_name(text) && !device
+    }
+
     /// Whether a name may stand in formulas: no other has it, and it is not read as a difference.
     pub fn is_free(&mut self, text: &Text) -> bool {
         let name = text.value.as_str();
@@ -33,6 +42,14 @@ impl Resolver {
         }
         free
     }
+}
+
+/// Names that Windows keeps for devices, whatever stands behind a point.
+fn is_device(name: &str) -> bool {
+    let name = name.to_lowercase();
+    let numbered = name.strip_prefix("com").or_else(|| name.strip_prefix("lpt"));
+    ["con", "prn", "aux", "nul"].contains(&name.as_str())
+        || numbered.is_some_and(|number| number.len() == 1 && number.chars().all(|c| c.is_ascii_digit()))
 }
 
 /// What a name is among those of files, whatever its case.

@@ -32,7 +32,7 @@ impl Resolver {
         let workpiece_ball = self.ball(&run.workpiece_ball, run, sweep);
         let tool_ball = self.ball(&run.tool_ball, run, sweep);
         let readings = self.readings(run, sweep);
-        let name = self.is_name(&run.name).then(|| run.name.value.clone());
+        let name = self.is_file_name(&run.name).then(|| run.name.value.clone());
         (at.len() == axes.len()).then_some(())?;
         let nuisance = self.nuisances(run, &Path { axes, at: &at, sweep });
         let places = [run.name.span.clone(), run.reading.span()];
