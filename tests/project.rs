@@ -144,6 +144,21 @@ fn blocks(program: &str, begins: &str) -> Vec<([f64; 3], String)> {
     program.lines().filter_map(straight).collect()
 }
 
+/// The fourth axis of the cone is given by its sine and cosine, and goes round: it does not turn back by a whole turn in a block.
+#[test]
+fn an_axis_goes_on_beyond_half_a_turn() {
+    let directory = tempfile::tempdir().unwrap();
+    succeeds(directory.path(), &["new", "ac-trunnion-cone", "--out", "cone"]);
+    let program = fs::read_to_string(directory.path().join("cone/cone.linuxcnc.ngc")).unwrap();
+    let c = |line: &str| line.split(' ').find_map(|word| word.strip_prefix('C')?.parse::<f64>().ok());
+    let (way, _) = program.split_once("and back").unwrap();
+    let turned: Vec<f64> = way.lines().filter(|line| line.starts_with("G1")).filter_map(c).collect();
+    let steps = turned.windows(2).map(|two| (two[1] - two[0]).abs());
+    assert!(turned.len() > 1000 && steps.fold(0.0, f64::max) < 2.0);
+    let [first, last] = [0, turned.len() - 1].map(|at| turned[at]);
+    assert!((first - last - 360.0).abs() < 20.0, "once round, and 5° beyond either end: {first} to {last}");
+}
+
 #[test]
 fn a_new_folder_has_all_that_a_measurement_needs() {
     let directory = tempfile::tempdir().unwrap();
@@ -196,7 +211,9 @@ fn a_new_folder_has_all_that_a_measurement_needs() {
     }
 
     let plan = read("measuring-plan.md");
-    for said in ["| eps_xa |", "°/µm", "### 1. tilting", "sweep -30.0° to 120.0°", "`separation-back.csv`"] {
+    for said in
+        ["| eps_xa |", "°/µm", "### 1. tilting", "sweep -30.0° to 120.0°", "`separation-back.csv`", "A about +x"]
+    {
         assert!(plan.contains(said), "{said}: {plan}");
     }
 

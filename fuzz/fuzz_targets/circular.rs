@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use trunnion::circular::{Plane, Test, Trace, Traces, circular, picture};
-use trunnion::data::{Radius, Sweep};
+use trunnion::data::{Columns, Radius, Sweep};
 use trunnion_fuzz::{file, finite, repeated};
 
 fuzz_target!(|bytes: &[u8]| {
@@ -22,6 +22,6 @@ fuzz_target!(|bytes: &[u8]| {
 
 fn path(bytes: &[u8]) -> Option<Trace> {
     let radius = Radius::new(150.0).expect("a length");
-    let sweep = Sweep::read_circle(&file(bytes), radius, 1).ok()?;
+    let sweep = Sweep::read_circle(&file(bytes), &Columns::default(), radius, 1).ok()?;
     Trace::new(sweep.samples().iter().map(|sample| (sample.angle_rad, sample.reading_mm))).ok()
 }

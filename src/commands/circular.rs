@@ -11,7 +11,7 @@ use trunnion::circular::{
     At, Circles, Circular, Direction, Effect, Estimate, Plane, Radial, Spike, Test, Trace, Traces, Undetermined,
     circular, picture,
 };
-use trunnion::data::{Columns, ObservationsError, Radius, Sweep, Unit, import};
+use trunnion::data::{Columns, Form, Radius, Sweep, Unit, import};
 use trunnion::import::{Imported, Stated, Trace as Run};
 
 /// Seconds of a minute.
@@ -30,6 +30,10 @@ pub struct CircularArguments {
     /// Readings of the counterclockwise path: from the first axis of the plane to the second.
     #[arg(long, value_name = "FILE")]
     ccw: Option<PathBuf>,
+    /// What columns of a table are called where they have other names: a="Angle [deg]",dr="Radius [µm]"; or, with the unit
+    /// stated, dr_um="Radius".
+    #[arg(long, value_name = "NAME=TEXT,…")]
+    columns: Option<Columns>,
     /// Nominal length of the ball-bar, mm; a .b5r says it itself.
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = millimetres)]
     radius: Option<f64>,
@@ -58,10 +62,18 @@ impl CircularArguments {
             Some(mm) => Ok(Radius::new(mm)?),
             None => Err(Refused::NoLength),
         };
+        let columns = self.columns.clone().unwrap_or_default();
+        if let Some(name) = columns.names().find(|name| !["a", "dr"].contains(name)) {
+            return Err(Refused::Option("columns", name.to_owned(), "no column of a circle\n  expected a and dr"));
+        }
         let feed = |of_file: Option<f64>| self.feed.or(of_file).map(|feed| feed / MINUTE);
         if let Some(file) = &self.file {
             let stated = Stated { plane: self.plane, ..Stated::default() };
-            let read = import(file, None, &Columns::default(), &stated).map_err(Refused::Run)?;
+            let read = import(file, None, &columns, &stated).map_err(Refused::Run)?;
+            if read.form == Form::B5r && self.columns.is_some() {
+                let idle = "a .b5r has no columns\n  expected it left out";
+                return Err(Refused::Option("columns", "without effect".to_owned(), idle));
+            }
             let Imported { about, traces } = read.imported;
             let plane = self.plane.or(about.plane).unwrap_or_default();
             return Ok(Test {
@@ -79,7 +91,7 @@ impl CircularArguments {
             return Err(Refused::Option("ccw", ccw.display().to_string(), same));
         }
         let radius = radius(None)?;
-        let trace = |file: &Option<PathBuf>| file.as_deref().map(|file| trace(file, radius)).transpose();
+        let trace = |file: &Option<PathBuf>| file.as_deref().map(|file| trace(file, &columns, radius)).transpose();
         let [cw, ccw] = files.map(trace);
         let traces = Traces::of(cw?, ccw?).ok_or(Refused::NoRuns)?;
         Ok(Test { traces, radius, plane: self.plane.unwrap_or_default(), feed: feed(None) })
@@ -99,8 +111,8 @@ impl CircularArguments {
     }
 }
 
-fn trace(file: &Path, radius: Radius) -> Result<Trace, Refused> {
-    let sweep = Sweep::read_circle(file, radius, 1).map_err(ObservationsError::from)?;
+fn trace(file: &Path, columns: &Columns, radius: Radius) -> Result<Trace, Refused> {
+    let sweep = Sweep::read_circle(file, columns, radius, 1).map_err(Refused::Run)?;
     let samples = sweep.samples().iter().map(|sample| (sample.angle_rad, sample.reading_mm));
     Trace::new(samples).map_err(|error| Refused::Trace(file.to_owned(), error))
 }

@@ -8,12 +8,12 @@ use clap::{ArgGroup, Args};
 use std::path::PathBuf;
 use trunnion::data::curve_files;
 use trunnion::document;
-use trunnion::report as page;
+use trunnion::report::{self as page, ReportError};
 use trunnion::study::StudyError;
 
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
-#[command(group = ArgGroup::new("written").args(["report", "csv"]).multiple(true))]
+#[command(group = ArgGroup::new("written").args(["report", "csv", "pictures"]).multiple(true))]
 pub struct FitArguments {
     #[command(flatten)]
     measured: MeasuredArguments,
@@ -23,6 +23,9 @@ pub struct FitArguments {
     /// Writes each estimated function into this directory: a CSV file with its uncertainty.
     #[arg(long, value_name = "DIR")]
     csv: Option<PathBuf>,
+    /// Draws the readings and residuals of each run and each estimated function (SVG) into this directory.
+    #[arg(long, value_name = "DIR")]
+    pictures: Option<PathBuf>,
     #[command(flatten)]
     report: ReportArguments,
 }
@@ -58,6 +61,9 @@ impl FitArguments {
                 return Err(StudyError::NothingEstimated.into());
             }
             files.write(directory, &guard)?;
+        }
+        if let Some(directory) = &self.pictures {
+            page::picture_files(&report).map_err(ReportError::from)?.write(directory, &guard)?;
         }
         self.report.write(&guard, html)?;
         Ok(print(&out)?)

@@ -208,20 +208,23 @@ impl Measured<'_> {
 
     /// The files that were read, each once.
     pub fn files_read(&self, recorded: &[Recorded]) -> Vec<Value> {
-        let mut runs: Vec<(&Path, Vec<&str>)> = Vec::new();
+        let mut runs: Vec<(&Path, &Stamp, Vec<&str>)> = Vec::new();
         for own in recorded {
             let run = self.setup.model.runs[own.run()].name.as_str();
-            match runs.iter_mut().find(|(file, _)| *file == own.file()) {
-                Some((_, names)) if names.contains(&run) => {}
-                Some((_, names)) => names.push(run),
-                None => runs.push((own.file(), vec![run])),
+            match runs.iter_mut().find(|(file, ..)| *file == own.file()) {
+                Some((.., names)) if names.contains(&run) => {}
+                Some((.., names)) => names.push(run),
+                None => runs.push((own.file(), own.stamp(), vec![run])),
             }
         }
-        let runs = runs.into_iter().map(|(file, names)| (file, format!("run {}", names.join(", "))));
-        let table = self.table.as_deref().map(|file| (file, "known functions".to_owned()));
-        let named = runs.chain(table);
-        let read = named.map(|(file, role)| read(&role, &file.display().to_string(), Stamp::of_file(file)));
-        self.source.read().into_iter().chain(read).collect()
+        let named = |file: &Path| file.display().to_string();
+        let run = |(file, stamp, names): (&Path, &Stamp, Vec<&str>)| {
+            read(&format!("run {}", names.join(", ")), &named(file), Some(stamp.clone()))
+        };
+        // No run may see a known function.
+        let known = |file| recorded.iter().find_map(Recorded::table).cloned().or_else(|| Stamp::of_file(file));
+        let table = self.table.as_deref().map(|file| read("known functions", &named(file), known(file)));
+        self.source.read().into_iter().chain(runs.into_iter().map(run)).chain(table).collect()
     }
 }
 

@@ -10,7 +10,7 @@ use super::decoded::text;
 use super::error::{FileError, FileProblem};
 use super::limits::{INSTRUMENT, SAMPLES};
 use super::lines::{Lines, is_xml, source};
-use super::stamp::Stamping;
+use super::stamp::{Stamp, Stamping};
 use super::sweep::{READING, RunColumns, check};
 use crate::import::{About, Imported, Stated, TraceSample, Wrong, b5r, by_passes};
 use trunnion_codegen::quantity::Unit;
@@ -54,13 +54,15 @@ pub fn import(file: &Path, angle: Option<&str>, columns: &Columns, stated: &Stat
 }
 
 /// Reads the file of an instrument; none where it is a table, or cannot be read twice.
-pub(super) fn instrument_file(file: &Path) -> Result<Option<Imported>, FileError> {
+pub(super) fn instrument_file(file: &Path) -> Result<Option<(Imported, Stamp)>, FileError> {
     let is_file = file.metadata().is_ok_and(|metadata| metadata.is_file());
     let Some(Ok((true, source))) = is_file.then(|| File::open(file).and_then(|file| begin(Box::new(file)))) else {
         return Ok(None);
     };
-    let imported = instrument(source, &Stated::default());
-    imported.map(Some).map_err(|problem| FileError { file: file.to_owned(), problem })
+    let stamping = Stamping::default();
+    let imported = instrument(Box::new(stamping.reader(source)), &Stated::default());
+    let imported = imported.map_err(|problem| FileError { file: file.to_owned(), problem })?;
+    Ok(Some((imported, stamping.stamp())))
 }
 
 /// Bytes by which XML is told.

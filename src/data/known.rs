@@ -2,6 +2,7 @@
 
 use super::error::FileProblem;
 use super::refused::ObservationsError;
+use super::stamp::Stamp;
 use super::table::{Known, Table, TableValues};
 use crate::study::{Sample, Setup};
 use std::path::Path;
@@ -31,6 +32,7 @@ fn fixed(setup: &Setup, coordinate: &Coordinate) -> Option<f64> {
 /// The table of all known functions that the runs see.
 pub(super) struct KnownTable {
     table: Table,
+    stamp: Stamp,
     functions: Vec<FunctionId>,
 }
 
@@ -47,8 +49,8 @@ impl KnownTable {
             }
         }
         let known = |&f: &FunctionId| Known { name: known_name(&setup.model, f), quantity: setup.quantity(f) };
-        let table = Table::read(file, angle, &functions.iter().map(known).collect::<Vec<_>>())?;
-        Ok(Self { table, functions })
+        let (table, stamp) = Table::read_stamped(file, angle, &functions.iter().map(known).collect::<Vec<_>>())?;
+        Ok(Self { table, stamp, functions })
     }
 
     /// What it gives along a run.
@@ -73,6 +75,11 @@ pub(super) struct KnownAlong {
 }
 
 impl KnownAlong {
+    /// What was read of the table.
+    pub fn stamp(&self) -> Option<&Stamp> {
+        self.table.as_ref().map(|known| &known.stamp)
+    }
+
     /// Whether there are values at an angle, rad.
     pub fn covers(&self, angle_rad: f64) -> bool {
         self.table.as_ref().is_none_or(|known| known.table.covers(angle_rad))

@@ -15,6 +15,7 @@ use super::limits::LINE;
 use super::numeral::{Numerals, shown};
 use super::records::{Record, Records};
 use super::separator::Separator;
+use super::stamp::Stamping;
 use trunnion_codegen::quantity::Unit;
 
 /// Lines before the last one that must agree in their number of decimals before a shorter last one counts as cut.
@@ -60,6 +61,13 @@ impl Lines {
     /// Opens a file with a header of these columns, in any order; `-` is standard input.
     pub fn open(file: &Path, wanted: &[Wanted]) -> Result<Self, FileError> {
         Self::from(file, source(file), wanted)
+    }
+
+    /// As [`Lines::open`], stamped while it is read: whole once the last line was.
+    pub fn stamped(file: &Path, wanted: &[Wanted]) -> Result<(Self, Stamping), FileError> {
+        let stamping = Stamping::default();
+        let source = source(file).map(|source| Box::new(stamping.reader(source)) as Box<dyn Read>);
+        Ok((Self::from(file, source, wanted)?, stamping))
     }
 
     /// As [`Lines::open`], of what was opened already.

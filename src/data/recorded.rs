@@ -4,6 +4,7 @@ use super::error::{FileError, FileProblem};
 use super::known::KnownAlong;
 use super::limits::{KEPT, SAMPLES};
 use super::lines::{Line, Lines};
+use super::stamp::Stamp;
 use super::sweep::{RunColumns, check};
 use crate::import::{About, Trace, TraceSample, Wrong};
 use crate::study::{Recording, Sample, Setup, Weighed};
@@ -24,6 +25,7 @@ pub struct Recorded<'a> {
     known: KnownAlong,
     headings: Headings,
     samples: usize,
+    stamp: Stamp,
 }
 
 /// By how much of itself the bar's length in an instrument's file may differ from the run's: a bar is known by its calibration.
@@ -67,8 +69,8 @@ impl<'a> Recorded<'a> {
         columns: RunColumns<'a>,
         known: KnownAlong,
     ) -> Result<Self, FileError> {
-        let lines = Lines::open(file, &columns.wanted())?;
-        Self::of(setup, run, (file, lines), columns, (known, None))
+        let (lines, stamping) = Lines::stamped(file, &columns.wanted())?;
+        Self::of(setup, run, (file, lines), columns, (known, None), || stamping.stamp())
     }
 
     /// A run of an instrument's file.
@@ -76,6 +78,7 @@ impl<'a> Recorded<'a> {
         setup: &'a Setup,
         run: RunId,
         (file, about, trace): (&Path, &About, Trace),
+        stamp: &Stamp,
         columns: RunColumns<'a>,
         known: KnownAlong,
     ) -> Result<Self, FileError> {
@@ -90,7 +93,7 @@ impl<'a> Recorded<'a> {
         }
         let line = |s: &TraceSample| Line { line: s.line, values: vec![s.angle_rad, s.reading_mm] };
         let lines = Lines::given(file, &IMPORTED, trace.kept().iter().map(line).collect());
-        Self::of(setup, run, (file, lines), columns, (known, Some(trace)))
+        Self::of(setup, run, (file, lines), columns, (known, Some(trace)), || stamp.clone())
     }
 
     fn of(
@@ -99,6 +102,7 @@ impl<'a> Recorded<'a> {
         (file, lines): (&Path, Lines),
         columns: RunColumns<'a>,
         (known, trace): (KnownAlong, Option<Trace>),
+        stamp: impl FnOnce() -> Stamp,
     ) -> Result<Self, FileError> {
         let mut contents = Contents::Kept(Vec::new());
         let most = if trace.is_some() { usize::MAX } else { most(file) };
@@ -115,7 +119,10 @@ impl<'a> Recorded<'a> {
         let file = file.to_owned();
         match known.outside(outside) {
             Some(problem) => Err(FileError { file, problem }),
-            None => Ok(Self { setup, run, weight: 1.0, file, columns, contents, trace, known, headings, samples }),
+            None => {
+                let stamp = stamp();
+                Ok(Self { setup, run, weight: 1.0, file, columns, contents, trace, known, headings, samples, stamp })
+            }
         }
     }
 
@@ -127,6 +134,16 @@ impl<'a> Recorded<'a> {
     /// The file.
     pub fn file(&self) -> &Path {
         &self.file
+    }
+
+    /// What was read of it.
+    pub fn stamp(&self) -> &Stamp {
+        &self.stamp
+    }
+
+    /// What was read of the table of the known functions, where there is one and the run sees them.
+    pub fn table(&self) -> Option<&Stamp> {
+        self.known.stamp()
     }
 
     /// Samples in it.

@@ -120,11 +120,11 @@ impl RunFiles {
         };
         let table = table.filter(|_| !derived.known.is_empty());
         let known = || table.map_or_else(KnownAlong::default, |table| table.along(setup, run));
-        let Some(imported) = instrument_file(&source.file)? else {
+        let Some((imported, stamp)) = instrument_file(&source.file)? else {
             return Ok(vec![Recorded::open(setup, run, &source.file, columns, known())?]);
         };
         let about = &imported.about;
-        let recorded = |trace| Recorded::imported(setup, run, (&source.file, about, trace), columns, known());
+        let recorded = |trace| Recorded::imported(setup, run, (&source.file, about, trace), &stamp, columns, known());
         imported.traces.into_iter().map(recorded).collect()
     }
 

@@ -36,7 +36,7 @@ impl Stamp {
 
 /// A stamp of what goes through its readers.
 #[derive(Clone, Default)]
-pub(super) struct Stamping(Rc<RefCell<(Sha256, u64)>>);
+pub(crate) struct Stamping(Rc<RefCell<(Sha256, u64)>>);
 
 impl Stamping {
     /// Stamps what is read.
@@ -53,7 +53,7 @@ impl Stamping {
 }
 
 /// A source that is stamped while it is read.
-pub(super) struct Stamped<R> {
+pub(crate) struct Stamped<R> {
     source: R,
     stamping: Stamping,
 }

@@ -8,6 +8,7 @@ use super::error::{BadLines, FieldProblem, FileError, FileProblem, LineProblem, 
 use super::limits::SAMPLES;
 use super::lines::Lines;
 use super::output::{WriteError, WriteProblem, write_atomically};
+use super::stamp::Stamp;
 use super::sweep::Sweep;
 use super::written::written;
 use trunnion_codegen::quantity::Quantity;
@@ -78,6 +79,11 @@ impl Table {
     /// [`FileError`] where the file cannot be read or is no such file, an angle has two values, or there are fewer than
     /// two angles.
     pub fn read(file: &Path, angle: &str, functions: &[Known]) -> Result<Self, FileError> {
+        Self::read_stamped(file, angle, functions).map(|(table, _)| table)
+    }
+
+    /// As [`Table::read`], with what was read.
+    pub(super) fn read_stamped(file: &Path, angle: &str, functions: &[Known]) -> Result<(Self, Stamp), FileError> {
         let uncertainty = |known: &Known| {
             let name = format!("u_{}", known.name);
             functions.iter().all(|other| other.name != name).then_some(name)
@@ -87,7 +93,8 @@ impl Table {
         let stated =
             stated.map(|(known, name)| Wanted { absent: Some(0.0), ..Wanted::new(name, deviation(known.quantity)) });
         let columns: Vec<Wanted> = wanted(angle, functions).into_iter().chain(stated).collect();
-        let mut nodes: Vec<Node> = Lines::open(file, &columns)?.all(SAMPLES, Need::Interpolation, |line| {
+        let (lines, stamping) = Lines::stamped(file, &columns)?;
+        let mut nodes: Vec<Node> = lines.all(SAMPLES, Need::Interpolation, |line| {
             let (angle_rad, rest) = line.values.split_first()?;
             let (values, stds) = rest.split_at_checked(functions.len())?;
             let mut stated = stds.iter().copied();
@@ -105,7 +112,8 @@ impl Table {
             return Err(fail(FileProblem::TooFew { present: nodes.len(), needed: 2, why: Need::Interpolation }));
         }
         let repeats = goes_round(&nodes);
-        Ok(Self { file: file.to_owned(), functions: functions.to_vec(), nodes, repeats })
+        let table = Self { file: file.to_owned(), functions: functions.to_vec(), nodes, repeats };
+        Ok((table, stamping.stamp()))
     }
 
     /// Where it was read from.

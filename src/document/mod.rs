@@ -134,18 +134,23 @@ fn recording(name: &str, trace: &Trace, histogram: &Histogram) -> Value {
             "samples": points.iter().map(|p| p.samples).collect::<Vec<_>>(),
         })
     };
-    let [below, above] = histogram.beyond;
     json!({
         "run": name,
         "increasing": along(&trace.increasing),
         "decreasing": along(&trace.decreasing),
-        "histogram": {
-            "from_um": um(histogram.from),
-            "width_um": stated(Unit::Um, histogram.width),
-            "counts": histogram.counts,
-            "below": below,
-            "above": above,
-        },
+        "histogram": counted(histogram),
+    })
+}
+
+/// Residuals counted: the lower end of the first bin, the width of each, what is in them and what is beyond.
+pub fn counted(histogram: &Histogram) -> Value {
+    let [below, above] = histogram.beyond;
+    json!({
+        "from_um": Unit::Um.from_inner(histogram.from),
+        "width_um": stated(Unit::Um, histogram.width),
+        "counts": histogram.counts,
+        "below": below,
+        "above": above,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::PointError;
 use crate::data::limits::TOUCHES;
-use crate::data::{FileError, FileProblem, Line, Lines, Need, Unit, Wanted};
+use crate::data::{FileError, FileProblem, Line, Lines, Need, Stamp, Unit, Wanted};
 use std::path::{Path, PathBuf};
 use trunnion_solver::circle::CircleError;
 use trunnion_solver::probe::ProbeError;
@@ -98,16 +98,17 @@ impl<const N: usize> Iterator for Rows<N> {
     }
 }
 
-/// Reads at least `least` touches, at most [`TOUCHES`]: `x_mm,y_mm,z_mm,spindle_deg`; a spindle angle that may be absent is then 0.
-pub(super) fn touches(file: &Path, spindle: Option<f64>, least: usize) -> Result<Vec<TouchLine>, FileError> {
+/// Reads, with what was read, at least `least` touches, at most [`TOUCHES`]: `x_mm,y_mm,z_mm,spindle_deg`; a spindle angle that may be absent is then 0.
+pub(super) fn touches(file: &Path, spindle: Option<f64>, least: usize) -> Result<(Vec<TouchLine>, Stamp), FileError> {
     let wanted = [mm("x"), mm("y"), mm("z"), Wanted { absent: spindle, ..deg("spindle") }];
     let touch = |Line { line, values }: Line| match *values.as_slice() {
         [x, y, z, spindle] => Some(TouchLine { line, position: [x, y, z], spindle }),
         _ => None,
     };
-    let touches = Lines::open(file, &wanted)?.all(TOUCHES, Need::Touches, touch)?;
+    let (lines, stamping) = Lines::stamped(file, &wanted)?;
+    let touches = lines.all(TOUCHES, Need::Touches, touch)?;
     match touches.len() >= least {
-        true => Ok(touches),
+        true => Ok((touches, stamping.stamp())),
         false => {
             let problem = FileProblem::TooFew { present: touches.len(), needed: least, why: Need::Touches };
             Err(FileError { file: file.to_owned(), problem })

@@ -20,7 +20,7 @@ pub use compensation::{Compensation, CompensationError};
 pub use input::InputError;
 pub use machine::{BUILT_IN, MachineFileError, read_machine};
 pub use nc::{NcError, ring_program};
-pub use offset::{Gauge, OffsetReport, ReversalReport, offset_report};
+pub use offset::{Gauge, OffsetPart, OffsetReport, ReversalReport, offset_report};
 pub use paper::{ExperimentError, Experiments, OffsetRow, RING_CENTRES, experiments};
 pub use pictures::{PictureError, drm_map, machine_picture, quintic_picture, ring_picture};
 pub use plan::{Feature, PlanError, PlannedTouch, plan};

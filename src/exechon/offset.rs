@@ -2,6 +2,7 @@
 
 use super::input::{InputError, TouchLine, touches};
 use super::{ALONG, rotation_at};
+use crate::data::Stamp;
 use std::f64::consts::PI;
 use std::path::Path;
 use trunnion_solver::exechon::Machine;
@@ -37,6 +38,41 @@ pub struct OffsetReport {
     pub reversal: Option<ReversalReport>,
 }
 
+/// What something puts into a coordinate of an offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OffsetPart {
+    /// Its own standard uncertainty, mm.
+    pub std: f64,
+    /// What of the coordinate's standard uncertainty is its, mm.
+    pub contribution: f64,
+    /// By how much the coordinate changes with it.
+    pub sensitivity: f64,
+    /// Of the coordinate's variance.
+    pub share: f64,
+}
+
+impl OffsetReport {
+    /// Standard uncertainty of both coordinates, mm: by reversal, where there is one, else of all touches together.
+    pub fn uncertainty(&self) -> [f64; 2] {
+        let covariance = &self.with_rotation.covariance;
+        self.reversal.map_or_else(|| [0, 1].map(|k| covariance[(k, k)].sqrt()), |own| own.uncertainty)
+    }
+
+    /// What a touch and the ring's diameter put into each of both coordinates.
+    pub fn parts(&self, gauge: &Gauge) -> [[OffsetPart; 2]; 2] {
+        let all = self.uncertainty();
+        // All together find the radius themselves.
+        let parts = self.reversal.map_or([all, [0.0; 2]], |own| own.parts);
+        let part = |k: usize, std: f64, contribution: f64| OffsetPart {
+            std,
+            contribution,
+            sensitivity: if std > 0.0 { contribution / std } else { 0.0 },
+            share: if all[k] > 0.0 { (contribution / all[k]).powi(2) } else { 0.0 },
+        };
+        [0, 1].map(|k| [part(k, gauge.touch, parts[0][k]), part(k, 2.0 * gauge.ring, parts[1][k])])
+    }
+}
+
 /// The paper's formulas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReversalReport {
@@ -52,11 +88,11 @@ pub struct ReversalReport {
     pub correlation: f64,
 }
 
-/// The offset from a file of touches (`x_mm,y_mm,z_mm,spindle_deg`).
+/// The offset from a file of touches (`x_mm,y_mm,z_mm,spindle_deg`), with what was read.
 ///
 /// # Errors
 /// [`InputError`].
-pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Result<OffsetReport, InputError> {
+pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Result<(OffsetReport, Stamp), InputError> {
     let turned = |&TouchLine { line, position, spindle }: &TouchLine| {
         let rotation = rotation_at(machine, position, ALONG).map_err(|problem| InputError::Point {
             file: file.to_owned(),
@@ -65,7 +101,8 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
         })?;
         Ok(([position[0], position[1]], spindle, spindle - rotation))
     };
-    let touched = touches(file, None, 1)?.iter().map(turned).collect::<Result<Vec<_>, InputError>>()?;
+    let (touched, stamp) = touches(file, None, 1)?;
+    let touched = touched.iter().map(turned).collect::<Result<Vec<_>, InputError>>()?;
     let fit = |touches: Vec<Touch<f64>>| {
         offset(&touches, gauge.touch).map_err(|problem| InputError::Offset { file: file.to_owned(), problem })
     };
@@ -74,7 +111,7 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
     let with_rotation: Vec<Touch<f64>> = touched.iter().map(with).collect();
     let reversal = reversal(&with_rotation, gauge);
     let spindle_alone = touched.iter().map(alone).collect();
-    Ok(OffsetReport { with_rotation: fit(with_rotation)?, spindle_alone: fit(spindle_alone)?, reversal })
+    Ok((OffsetReport { with_rotation: fit(with_rotation)?, spindle_alone: fit(spindle_alone)?, reversal }, stamp))
 }
 
 /// E(8) and E(9) where the touches are the paper's: both ways along x and y, then +x and +y with the spindle reversed.

@@ -2,8 +2,9 @@
 
 use super::input::{InputError, touches};
 use super::{ALONG, PointError, rotation_at};
+use crate::data::Stamp;
 use crate::roundness::zone;
-use crate::study::coverage_factor;
+use crate::study::{Histogram, coverage_factor};
 use std::path::Path;
 use trunnion_solver::circle::{CircleError, CircleFit, Zone, least_squares};
 use trunnion_solver::exechon::Machine;
@@ -60,6 +61,18 @@ impl RingReport {
         Some(ExpandedCircle { factor, centre: [half(0), half(1)], diameter: 2.0 * half(2) })
     }
 
+    /// The radial deviations counted; none where they leave no scatter.
+    pub fn histogram(&self) -> Option<Histogram> {
+        let std = self.fit.scatter?.residual_std;
+        Some(Histogram::of(self.deviations.iter().map(|(_, mm)| *mm), std))
+    }
+
+    /// Root mean square of the radial deviations, mm.
+    pub fn rms(&self) -> f64 {
+        let squares: f64 = self.deviations.iter().map(|(_, mm)| mm * mm).sum();
+        (squares / self.deviations.len().max(1) as f64).sqrt()
+    }
+
     /// Diameter of the ring that was touched from inside with a ball of this diameter, mm.
     pub fn diameter(&self, stylus: f64) -> f64 {
         2.0 * self.fit.circle.radius + stylus
@@ -104,7 +117,7 @@ pub fn ring_report(
     Ok(RingReport { deviations, fit, zone, spread })
 }
 
-/// As [`ring_report`] from a file of touches (`x_mm,y_mm,z_mm` and perhaps `spindle_deg`, else 0).
+/// As [`ring_report`] from a file of touches (`x_mm,y_mm,z_mm` and perhaps `spindle_deg`, else 0), with what was read.
 ///
 /// # Errors
 /// [`InputError`].
@@ -113,16 +126,17 @@ pub fn ring_report_of(
     file: &Path,
     offset: Option<[f64; 2]>,
     step: f64,
-) -> Result<RingReport, InputError> {
-    let touches = touches(file, Some(0.0), 1)?;
+) -> Result<(RingReport, Stamp), InputError> {
+    let (touches, stamp) = touches(file, Some(0.0), 1)?;
     let points: Vec<_> = touches.iter().map(|touch| (touch.position, touch.spindle)).collect();
-    ring_report(machine, &points, offset, step).map_err(|error| {
+    let report = ring_report(machine, &points, offset, step).map_err(|error| {
         let file = file.to_owned();
         match error {
             RingError::Circle(problem) => InputError::Circle { file, problem },
             RingError::Point(at, problem) => InputError::Point { file, line: touches[at].line, problem },
         }
-    })
+    })?;
+    Ok((report, stamp))
 }
 
 /// Repeats at each place.

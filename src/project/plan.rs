@@ -3,9 +3,10 @@
 use super::{Planned, program_file};
 use crate::program::Control;
 use crate::study::plan::Predicted;
-use crate::study::{Measurement, Path};
+use crate::study::{Measurement, Path, Setup};
 use std::fmt::Write;
-use trunnion_codegen::model::{AxisKind, Ball};
+use trunnion_codegen::algebra::at;
+use trunnion_codegen::model::{Axis, AxisKind, Ball};
 use trunnion_codegen::problems::visible;
 use trunnion_codegen::quantity::Unit;
 
@@ -29,13 +30,14 @@ pub fn plan(planned: &Planned) -> String {
         let _ =
             writeln!(out, "| {} | {} | {} |", cell(&name), valuation(planned, function), cell(&function.told.words));
     }
+    out += &zero(planned.setup);
     out += "\n## The runs, in this order\n\n\
             Warm the machine up. Where the placing is the same as before, leave the balls where they are: the model counts on \
             it.\n";
     if planned.paths.iter().any(|(measurement, _)| !planned.is_probed(measurement)) {
-        out += "Each run goes there and back. ";
+        out += "Each run goes there and back.\n";
     }
-    out += "The coordinates are the model's, whose zero point is to be set as work offset.\n\n";
+    out.push('\n');
     let mut before = None;
     for (at, (measurement, path)) in ordered(planned).into_iter().enumerate() {
         let own = placing(planned, measurement);
@@ -51,6 +53,36 @@ pub fn plan(planned: &Planned) -> String {
         out += DRIVEN;
     }
     out
+}
+
+/// Where the model's coordinates begin, and which way its axes turn.
+fn zero(setup: &Setup) -> String {
+    let turns = |axis: &Axis| format!("{} about {}", cell(&axis.name), direction(setup, axis));
+    let rotary: Vec<String> = setup.model.axes().filter(|axis| axis.kind == AxisKind::Rotary).map(turns).collect();
+    if rotary.is_empty() {
+        return String::new();
+    }
+    format!(
+        "\n## The zero point, and which way axes turn\n\n\
+         The coordinates are those of the axes, as the model has them: no transformation (TRAORI, M128, G43.4, switched kinematics) \
+         may be\nactive. Their zero point, to be set as work offset, is where the rotary axes meet; of a single one any point, as far \
+         along it as\nthe balls are. With every axis at 0 what carries either ball has its (0, 0, 0) there.\n\n\
+         A positive angle turns what the axis carries by the right-hand rule: {}.\n\
+         Jog each a little and look, before anything is clamped. If one turns the other way, copy the model file, turn the signs of \
+         its\ndirection and of its coordinate in each run (`rotary = \"-y\"`, `B = \"-b\"`), and begin again with that file.\n",
+        rotary.join(", ")
+    )
+}
+
+/// An axis' direction: along one of the machine's, or in components.
+fn direction(setup: &Setup, axis: &Axis) -> String {
+    let value = |p| at(p, &setup.model.alphabet, 0.0, |name| setup.constant(name)) + 0.0;
+    let components = axis.direction.each_ref().map(value);
+    let along = ["x", "y", "z"].iter().zip(components).find(|(_, size)| size.abs() == 1.0);
+    along.map_or_else(
+        || format!("({})", components.map(|size| format!("{size:.4}")).join(", ")),
+        |(name, size)| format!("{}{name}", if size > 0.0 { '+' } else { '\u{2212}' }),
+    )
 }
 
 /// Of programs that touch a sphere.

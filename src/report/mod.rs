@@ -7,6 +7,8 @@ mod numbers;
 mod page;
 mod pictures;
 
+pub use pictures::picture_files;
+
 use crate::exechon::{RingReport, ring_picture};
 use crate::plot::PlotError;
 use crate::study::{Report, Setup};
@@ -45,7 +47,8 @@ pub fn fit(document: &Value, setup: &Setup, report: &Report) -> Result<String, R
 /// # Errors
 /// [`ReportError`]
 pub fn ring(document: &Value, report: &RingReport) -> Result<String, ReportError> {
-    let beside = json!({ "pictures": { "ring": ring_picture(&[("", report)], "")? } });
+    let beside =
+        json!({ "pictures": { "ring": ring_picture(&[("", report)], "")?, "histogram": pictures::ring(report)? } });
     Ok(page::rendered("ring.html", document, beside)?)
 }
 

@@ -2,8 +2,11 @@
 
 /// Bins of a count on either side of zero.
 const HALF: usize = 5000;
-/// Bins of a histogram within one robust standard deviation, about.
+/// Bins of a histogram within one robust standard deviation, about, of as many residuals as one likes.
 const PER_DEVIATION: f64 = 4.0;
+/// Of fewer the least width, in standard deviations, times the cube root of how many there are: Freedman and Diaconis have twice the
+/// interquartile range, 2.7, which 1, 2 and 5 are rounded to by 1.6 at most.
+const FEW: f64 = 2.7 / 1.6;
 /// Robust standard deviations that a histogram shows on either side: beyond are the few that are counted together.
 const SHOWN: f64 = 5.0;
 
@@ -18,6 +21,15 @@ pub struct Histogram {
     pub counts: Vec<usize>,
     /// Residuals below the first bin, and those above the last.
     pub beyond: [usize; 2],
+}
+
+impl Histogram {
+    /// Of residuals of this standard deviation, mm.
+    pub fn of(residuals: impl IntoIterator<Item = f64>, deviation: f64) -> Self {
+        let mut counting = Counting::default();
+        residuals.into_iter().for_each(|residual| counting.add(residual));
+        counting.histogram(deviation)
+    }
 }
 
 /// A width: 1, 2 or 5 times a power of ten.
@@ -95,7 +107,8 @@ impl Counting {
     /// What was counted, in bins that suit this robust standard deviation, mm.
     pub fn histogram(&self, deviation: f64) -> Histogram {
         let Some(fine) = self.width else { return Histogram::default() };
-        let least = (deviation / PER_DEVIATION).max(fine.mm());
+        let counted = self.zeros + self.counts.iter().sum::<usize>();
+        let least = (deviation * (FEW / (counted as f64).cbrt()).max(1.0 / PER_DEVIATION)).max(fine.mm());
         let mut width = fine;
         while width.mm() < least * (1.0 - 1e-9) || width.of(fine).is_none() {
             width = width.next();
@@ -132,9 +145,7 @@ mod tests {
         let mut residuals: Vec<f64> = (0..1000).map(|_| 1e-6 * next()).collect();
         residuals.extend((0..3000).map(|_| 1e-4 * (next() + next() + next())));
         residuals.extend([0.0, 0.0, 0.02, -0.03]);
-        let mut counting = Counting::default();
-        residuals.iter().for_each(|r| counting.add(*r));
-        let Histogram { from, width, counts, beyond } = counting.histogram(1e-4);
+        let Histogram { from, width, counts, beyond } = Histogram::of(residuals.iter().copied(), 1e-4);
         assert_eq!((width, beyond), (5e-5, [1, 1]));
         for (bin, count) in counts.iter().enumerate() {
             let low = from + bin as f64 * width;
@@ -144,6 +155,14 @@ mod tests {
             assert!(inside(-1e-15) <= *count && *count <= inside(1e-15), "{bin}: {count}");
         }
         assert_eq!(counts.iter().sum::<usize>() + 2, residuals.len());
+    }
+
+    #[test]
+    fn few_residuals_have_few_bins() {
+        let residuals = |n: i32| (0..n).map(move |k| 1e-4 * f64::from((k * 7919) % n - n / 2) / f64::from(n));
+        let widths = [27, 300, 100_000].map(|n| Histogram::of(residuals(n), 1e-4).width);
+        assert_eq!(widths, [1e-4, 5e-5, 5e-5]);
+        assert_eq!(Histogram::of(residuals(27), 1e-4).counts, [13, 14]);
     }
 
     #[test]

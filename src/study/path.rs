@@ -8,8 +8,8 @@ use trunnion_codegen::ids::{AxisId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::model::{Axis, AxisKind, Run};
 
-/// How far a straight line between two points may be off the path, mm.
-const CHORD: f64 = 1e-4;
+/// How far a straight line between two points may be off the path, mm: 0.1 µm with what a program's five decimals are off.
+const CHORD: f64 = 9e-5;
 /// Radius at which an angle is off, mm, where there is no bar.
 const LEVER: f64 = 150.0;
 /// Steps between points, rad: at least, and at most.
@@ -98,7 +98,7 @@ impl Setup {
 
     /// The coordinates of axes at each of some sweeps.
     fn points(&self, run: RunId, axes: &[(AxisId, &Axis)], sweeps: &[f64]) -> Vec<Vec<f64>> {
-        let along: Vec<Vec<f64>> = axes.iter().map(|(id, _)| self.coordinates(run, *id, sweeps)).collect();
+        let along: Vec<Vec<f64>> = axes.iter().map(|(id, _)| self.followed(run, *id, sweeps)).collect();
         (0..sweeps.len()).map(|i| along.iter().map(|axis| axis[i]).collect()).collect()
     }
 

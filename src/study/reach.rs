@@ -74,7 +74,7 @@ impl Setup {
         (from, to.min(from + TAU))
     }
 
-    /// At each sweep the first axis beyond its range, and where it is.
+    /// At each sweep, in their order, the first axis beyond its range, and where it is.
     fn beyond(&self, run: RunId, sweeps: &[f64]) -> Vec<Option<(AxisId, f64)>> {
         let mut beyond = vec![None; sweeps.len()];
         let limited = self.model.axes().enumerate().filter_map(|(i, axis)| Some((AxisId::from(i), axis.range?)));
@@ -83,7 +83,7 @@ impl Setup {
             return beyond;
         }
         for (axis, [low, high]) in limited {
-            for (place, x) in beyond.iter_mut().zip(self.coordinates(run, axis, sweeps)) {
+            for (place, x) in beyond.iter_mut().zip(self.followed(run, axis, sweeps)) {
                 let out = !(low - SLACK..=high + SLACK).contains(&x);
                 *place = place.or(out.then_some((axis, x)));
             }

@@ -3,7 +3,8 @@
 use super::draw::SimulatedMachine;
 use super::fit::{Observation, Sample};
 use super::setup::Setup;
-use trunnion_codegen::algebra::at;
+use std::f64::consts::TAU;
+use trunnion_codegen::algebra::{Monomial, Nominal, Rational, at};
 use trunnion_codegen::ids::{AxisId, RunId};
 use trunnion_codegen::kinematics::{ErrorValues, directions};
 use trunnion_codegen::measurement::ExactReading;
@@ -58,6 +59,22 @@ impl Setup {
         let value =
             |poly| sweeps.iter().map(|&sweep| at(poly, &self.model.alphabet, sweep, |n| self.constant(n))).collect();
         along.map_or(Vec::new(), value)
+    }
+
+    /// The same along sweeps in their order, as an axis gets from one to the next: an angle that is given by its sine and cosine goes
+    /// on where it has come to half a turn.
+    pub(super) fn followed(&self, run: RunId, axis: AxisId, sweeps: &[f64]) -> Vec<f64> {
+        let alphabet = &self.model.alphabet;
+        let is_arctangent = |(m, _): &(Monomial, Rational)| {
+            alphabet.nominals().any(|(id, own)| matches!(own, Nominal::Arctangent { .. }) && m.exponent(id) != 0)
+        };
+        let mut along = self.coordinates(run, axis, sweeps);
+        if self.model.runs[run].at[axis].poly().is_some_and(|poly| poly.terms().iter().any(is_arctangent)) {
+            for i in 1..along.len() {
+                along[i] -= TAU * ((along[i] - along[i - 1]) / TAU).round();
+            }
+        }
+        along
     }
 
     /// A run as measured on `machine` at `sweeps`, those of `exact`: its exact readings with what `noise` gives (mm) added to

@@ -106,6 +106,17 @@ fn touches(reversed: bool) -> String {
     lines
 }
 
+/// The paper's touches in the ring: four ways, and two with the spindle reversed, with an offset of (0.21, 0.16) mm. The spindle
+/// follows the dependent rotation, which is none at home's x.
+fn reversal() -> String {
+    let (r, [ox, oy]) = (17.0005_f64, [0.21_f64, 0.16]);
+    let [along, across] = [(r * r - oy * oy).sqrt(), (r * r - ox * ox).sqrt()];
+    let there = [[along - ox, 0.0, 0.0], [-along - ox, 0.0, 0.0], [0.0, across - oy, 0.0], [0.0, -across - oy, 0.0]];
+    let back = [[along + ox, 0.0, 180.0], [0.0, across + oy, 180.0]];
+    let lines = there.iter().chain(&back).map(|[x, y, spindle]| format!("{x},{y},-168,{spindle}\n"));
+    "x_mm,y_mm,z_mm,spindle_deg\n".to_owned() + &lines.collect::<String>()
+}
+
 #[test]
 fn ring_and_offset_have_theirs() {
     let directory = tempfile::tempdir().unwrap();
@@ -115,12 +126,41 @@ fn ring_and_offset_have_theirs() {
     let (ring, page) = reported(at, &["exechon", "ring", "touches.csv", "--json"]);
     assert!(page.follows(&ring) > 15);
     page.is_whole();
+    // Every touch is in its bin, worked out here from the deviations.
+    let [from, width] = ["from_um", "width_um"].map(|key| ring["histogram"][key].as_f64().unwrap());
+    let mut counts = vec![0; ring["histogram"]["counts"].as_array().unwrap().len()];
+    let deviations: Vec<f64> =
+        ring["deviations"].as_array().unwrap().iter().map(|d| 1e3 * d["deviation_mm"].as_f64().unwrap()).collect();
+    deviations.iter().for_each(|um| counts[((um - from) / width).floor() as usize] += 1);
+    assert_eq!(ring["histogram"]["counts"], serde_json::json!(counts));
+    let squares: f64 = deviations.iter().map(|um| um * um).sum();
+    assert!((ring["rms_um"].as_f64().unwrap() - (squares / 12.0).sqrt()).abs() < 1e-9);
+    assert!(page.html.contains("Histogram of the radial deviations"));
     // Nine degrees of freedom: Student's t of 97.5 %.
     assert!((ring["least_squares"]["coverage_factor"].as_f64().unwrap() - 2.262_157).abs() < 1e-5);
+    fs::write(at.join("paper.csv"), reversal()).unwrap();
     let (offset, page) = reported(at, &["exechon", "offset", "reversed.csv"]);
     assert!(page.follows(&offset) > 20);
     page.is_whole();
     assert!((offset["coverage_factor"].as_f64().unwrap() - 1.959_964).abs() < 1e-6);
+    // A ring that is 2 µm larger moves the offset by what the budget says, and the rows make what stands beside the result.
+    let number = |value: &Value| value.as_f64().unwrap();
+    let larger: Value =
+        serde_json::from_str(&good(at, &["exechon", "offset", "paper.csv", "--diameter", "40.003"])).unwrap();
+    let (nominal, page) = reported(at, &["exechon", "offset", "paper.csv"]);
+    page.follows(&nominal);
+    page.is_whole();
+    for k in 0..2 {
+        let budget = &nominal["budgets"][k];
+        let moved = number(&larger["reversal"]["exact_mm"][k]) - number(&nominal["reversal"]["exact_mm"][k]);
+        let [touch, ring] = [0, 1].map(|row| &budget["inputs"][row]);
+        assert!((moved.abs() / 2e-3 - number(&ring["sensitivity"])).abs() < 1e-4, "{moved}");
+        let squares = [touch, ring].map(|row| (number(&row["std"]) * number(&row["sensitivity"])).powi(2));
+        let std = squares.iter().sum::<f64>().sqrt();
+        assert!((std - number(&budget["budget"]["std"])).abs() < 1e-9);
+        let told = number(&nominal["reversal"]["expanded_uncertainty_mm"][k]);
+        assert!((1e-3 * number(&budget["budget"]["u95"]) - told).abs() < 1e-12);
+    }
 }
 
 #[test]
@@ -170,6 +210,44 @@ fn files_are_known_again() {
         let sum = String::from_utf8(sum.stdout).unwrap();
         assert!(sum.starts_with(file["sha256"].as_str().unwrap()), "{sum}");
         assert_eq!(fs::metadata(directory.path().join(name)).unwrap().len(), file["bytes"].as_u64().unwrap());
+    }
+}
+
+#[test]
+fn what_comes_through_a_pipe_has_the_digest_of_its_bytes() {
+    let directory = simulated(MODEL, &["--radius", "150"]);
+    let at = directory.path();
+    // More than a pipe holds at once, so that not all of it is there when it is opened.
+    let tilting = fs::read_to_string(at.join("tilting.csv")).unwrap() + &"\n".repeat(100_000);
+    fs::write(at.join("tilting.csv"), tilting).unwrap();
+    fs::write(at.join("touches.csv"), touches(true)).unwrap();
+    let commands = [
+        (
+            "fit tilting-table-a --radius 150 --run tilting=- --run separation=separation.csv --table table.csv --json",
+            "tilting.csv",
+        ),
+        (
+            "fit tilting-table-a --radius 150 --run tilting=tilting.csv --run separation=separation.csv --table - --json",
+            "table.csv",
+        ),
+        ("exechon ring - --json", "touches.csv"),
+        ("exechon offset -", "touches.csv"),
+    ];
+    for (command, file) in commands {
+        let reported = format!("cat {file} | \"$0\" {command} --report report.html");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &reported, env!("CARGO_BIN_EXE_trunnion")]).current_dir(at);
+        let output = shell.output().unwrap();
+        assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+        let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let files = document["made"]["files"].as_array().unwrap();
+        let own = files.iter().find(|own| own["name"] == "-").unwrap();
+        let sum = Command::new("sha256sum").current_dir(at).arg(file).output().unwrap();
+        let sum = String::from_utf8(sum.stdout).unwrap();
+        assert_eq!(own["sha256"].as_str(), sum.split(' ').next(), "{command}");
+        assert_eq!(own["bytes"], fs::metadata(at.join(file)).unwrap().len(), "{command}");
+        let html = fs::read_to_string(at.join("report.html")).unwrap();
+        assert!(html.contains("standard input") && html.contains(sum.split(' ').next().unwrap()), "{command}");
     }
 }
 

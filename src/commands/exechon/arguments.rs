@@ -30,13 +30,13 @@ impl Which {
     }
 }
 
-/// What is said of the files of a command that reads touches.
-pub fn read_files(which: &Which, touches: &Path) -> Vec<Value> {
+/// What is said of the files of a command that has read touches.
+pub fn read_files(which: &Which, touches: &Path, stamp: Stamp) -> Vec<Value> {
     let machine = which.machine.as_deref().map_or_else(
         || read("machine, built in", "src/exechon/xt700.toml", Stamp::of(BUILT_IN.as_bytes()).ok()),
         |file| read("machine", &file.display().to_string(), Stamp::of_file(file)),
     );
-    vec![machine, read("touches", &touches.display().to_string(), Stamp::of_file(touches))]
+    vec![machine, read("touches", &touches.display().to_string(), Some(stamp))]
 }
 
 /// Coordinates of points and directions in files.

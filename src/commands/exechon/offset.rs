@@ -9,7 +9,7 @@ use clap::{ArgGroup, Args};
 use serde_json::json;
 use std::path::PathBuf;
 use trunnion::data::Unit;
-use trunnion::exechon::{Gauge, OffsetReport, ReversalReport, offset_report};
+use trunnion::exechon::{Gauge, OffsetPart, OffsetReport, ReversalReport, offset_report};
 use trunnion::report as page;
 use trunnion::study::{COVERAGE, coverage_factor};
 use trunnion_solver::probe::OffsetFit;
@@ -52,7 +52,8 @@ impl OffsetArguments {
             ));
         }
         let machine = self.which.read()?;
-        let OffsetReport { with_rotation, spindle_alone, reversal } = offset_report(&machine, &self.file, &gauge)?;
+        let (found, stamp) = offset_report(&machine, &self.file, &gauge)?;
+        let OffsetReport { with_rotation, spindle_alone, reversal } = &found;
         let factor = coverage_factor(None);
         let fit = |fit: &OffsetFit<f64>| {
             let std = [fit.covariance[(0, 0)].sqrt(), fit.covariance[(1, 1)].sqrt()];
@@ -65,7 +66,6 @@ impl OffsetArguments {
                 "residual_std_mm": fit.residual_std,
             })
         };
-        let parts = reversal.map(|reversal| reversal.parts);
         let formulas = |reversal: ReversalReport| {
             json!({
                 "exact_mm": reversal.exact,
@@ -75,27 +75,47 @@ impl OffsetArguments {
                 "correlation": reversal.correlation,
             })
         };
-        let input = |(quantity, stated, of, std): (&str, f64, &str, f64), contribution: Option<[f64; 2]>| {
+        let um = |mm: f64| Unit::Um.from_inner(mm);
+        let input = |(source, quantity, stated): (&str, &str, f64), part: &OffsetPart| {
             json!({
+                "source": source,
                 "quantity": quantity,
-                "stated_um": stated,
-                "as": of,
                 "distribution": "normal",
-                "std_um": Unit::Um.from_inner(std),
-                "contribution_mm": contribution,
+                "bound": stated,
+                "divisor": 2.0,
+                "std": um(part.std),
+                "unit": Unit::Um.suffix(),
+                "sensitivity": part.sensitivity,
+                "contribution": um(part.contribution),
+                "degrees_of_freedom": null,
+                "share_percent": 100.0 * part.share,
             })
         };
+        let budget = |(coordinate, ([touch, ring], std)): (&str, ([OffsetPart; 2], f64))| {
+            json!({
+                "coordinate": coordinate,
+                "inputs": [
+                    input(("probe", "a touch", self.repeatability), &touch),
+                    input(("ring", "its diameter", self.accuracy), &ring),
+                ],
+                "correlations": { "contribution": 0.0, "share_percent": 0.0 },
+                "budget": {
+                    "std": um(std),
+                    "effective_degrees_of_freedom": null,
+                    "coverage_factor": factor,
+                    "u95": um(factor * std),
+                },
+            })
+        };
+        let budgets = ["x", "y"].into_iter().zip(found.parts(&gauge).into_iter().zip(found.uncertainty()));
         let report = json!({
-            "with_dependent_rotation": fit(&with_rotation),
-            "spindle_angle_taken_as_it_is": fit(&spindle_alone),
+            "with_dependent_rotation": fit(with_rotation),
+            "spindle_angle_taken_as_it_is": fit(spindle_alone),
             "reversal": reversal.map(formulas),
             "coverage": COVERAGE,
             "coverage_factor": factor,
-            "inputs": [
-                input(("a touch", self.repeatability, "two standard deviations", gauge.touch), parts.map(|p| p[0])),
-                input(("the ring's radius", self.accuracy, "two of its diameter", gauge.ring), parts.map(|p| p[1])),
-            ],
-            "made": self.report.made(&read_files(&self.which, &self.file)),
+            "budgets": budgets.map(budget).collect::<Vec<_>>(),
+            "made": self.report.made(&read_files(&self.which, &self.file, stamp)),
         });
         let html = self.report.is_wanted().then(|| page::offset(&report)).transpose()?;
         self.report.write(&self.report.guard(self.which.inputs().chain([self.file.as_path()])), html)?;

@@ -8,7 +8,8 @@ use crate::commands::reported::ReportArguments;
 use clap::{ArgGroup, Args};
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use trunnion::data::Unit;
+use trunnion::data::{Stamp, Unit};
+use trunnion::document;
 use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
 use trunnion::report as page;
 use trunnion::study::COVERAGE;
@@ -52,8 +53,8 @@ impl RingArguments {
             ));
         }
         let machine = self.which.read()?;
-        let report = ring_report_of(&machine, &self.file, self.offset, self.step.to_radians())?;
-        let document = self.document(&report);
+        let (report, stamp) = ring_report_of(&machine, &self.file, self.offset, self.step.to_radians())?;
+        let document = self.document(&report, stamp);
         let html = self.report.is_wanted().then(|| page::ring(&document, &report)).transpose()?;
         let inputs = || self.which.inputs().chain([self.file.as_path()]);
         let picture = Picture::new(self.svg.clone(), self.report.force);
@@ -62,7 +63,7 @@ impl RingArguments {
         Ok(print(&if self.json { format!("{document:#}\n") } else { self.text(&report) })?)
     }
 
-    fn document(&self, report: &RingReport) -> Value {
+    fn document(&self, report: &RingReport, stamp: Stamp) -> Value {
         let (fit, zone, [inner, outer]) = (&report.fit, &report.zone, report.zone_diameters(self.stylus));
         let places = report.spread.iter().map(|(angle, n, mean, std)| {
             json!({ "angle_deg": angle.to_degrees(), "touches": n, "mean_mm": mean, "std_mm": std })
@@ -87,6 +88,8 @@ impl RingArguments {
                 "expanded_uncertainty_mm": expanded.map(|e| json!({ "centre": e.centre, "diameter": e.diameter })),
             },
             "coverage": COVERAGE,
+            "rms_um": Unit::Um.from_inner(report.rms()),
+            "histogram": report.histogram().as_ref().map(document::counted),
             "deviations": deviations.collect::<Vec<_>>(),
             "minimum_zone": {
                 "centre_mm": zone.centre,
@@ -96,7 +99,7 @@ impl RingArguments {
             },
             "places": places.collect::<Vec<_>>(),
             "largest_std_mm": report.largest_std(),
-            "made": self.report.made(&read_files(&self.which, &self.file)),
+            "made": self.report.made(&read_files(&self.which, &self.file, stamp)),
         })
     }
 
