@@ -4,7 +4,6 @@
 //! digits of dozens of terms; modulo primes none grows.
 
 use super::modular::{Field, Image, primes};
-use super::rational;
 use super::{AlgebraError, Alphabet, MAX_NOMINALS, Monomial, NominalId, Order, Poly, Powers, Rational, Term};
 use core::cmp::Ordering;
 use num_bigint::BigInt;
@@ -128,18 +127,6 @@ fn image(p: &Poly, one: Option<NominalId>, field: Field) -> Option<Image> {
         image.retain(|_, c| *c != 0);
         image
     })
-}
-
-impl Poly {
-    /// What its numbers have in common, and itself over that: with coprime whole coefficients.
-    ///
-    /// # Errors
-    /// As of every exact computation.
-    pub fn primitive(&self) -> Result<(Rational, Self), AlgebraError> {
-        let content = rational::content(self.terms().iter().map(|(_, c)| c));
-        let whole = if content.is_one() { self.clone() } else { self.over(Monomial::ONE, &content)? };
-        Ok((content, whole))
-    }
 }
 
 /// A polynomial with whole coefficients by its residues modulo a growing product of primes, each of the least size.

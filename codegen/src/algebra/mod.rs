@@ -14,6 +14,7 @@ mod matrix;
 mod modular;
 mod monomial;
 mod motion;
+mod normal;
 mod order;
 mod path;
 mod poly;

@@ -3,7 +3,7 @@
 use crate::limits::PAIRS;
 
 use super::rational::{self, integer};
-use super::{AlgebraError, Alphabet, ErrorId, MAX_ERROR_ORDER, Monomial, NominalId, Order, Rational};
+use super::{AlgebraError, ErrorId, MAX_ERROR_ORDER, Monomial, NominalId, Order, Rational};
 
 /// A coefficient and its monomial.
 pub type Term = (Monomial, Rational);
@@ -70,6 +70,10 @@ impl Poly {
     /// The terms in ascending order of their monomials.
     pub fn terms(&self) -> &[Term] {
         &self.terms
+    }
+
+    pub(super) fn into_terms(self) -> Vec<Term> {
+        self.terms
     }
 
     /// The terms as they are printed: by errors, then highest in cosine, sine, sweep and last the constants.
@@ -142,10 +146,26 @@ impl Poly {
         Ok(Self { terms: terms?.into_iter().flatten().collect() })
     }
 
+    /// What its numbers have in common, and itself over that: with coprime whole coefficients.
+    ///
+    /// # Errors
+    /// As of every exact computation.
+    pub fn primitive(&self) -> Result<(Rational, Self), AlgebraError> {
+        let content = rational::content(self.terms.iter().map(|(_, c)| c));
+        let whole = if content.is_one() { self.clone() } else { self.over(Monomial::ONE, &content)? };
+        Ok((content, whole))
+    }
+
     /// Appends the terms of `self · other` up to `order` errors to `out`, unsorted: the inner loop of every 4×4 product.
     pub(super) fn product_into(&self, other: &Self, order: Order, out: &mut Vec<Term>) -> Result<(), AlgebraError> {
         if self.terms.len() * other.terms.len() > PAIRS {
             return Err(AlgebraError::TooLong);
+        }
+        if [self, other].into_iter().flat_map(Self::terms).any(|(_, c)| c.is_long_fraction()) {
+            // Common divisors are searched once for each term of the product, not for each pair.
+            let ((common, a), (factor, b)) = (self.primitive()?, other.primitive()?);
+            out.extend(a.times(&b, order)?.scaled(&(&common * &factor))?.terms);
+            return Ok(());
         }
         for (ma, ca) in &self.terms {
             for (mb, cb) in &other.terms {
@@ -167,75 +187,6 @@ impl Poly {
     /// `self^exponent`, truncated.
     pub fn power(&self, exponent: u32, order: Order) -> Result<Self, AlgebraError> {
         (0..exponent).try_fold(Self::one(), |p, _| p.times(self, order))
-    }
-
-    /// The form under cos² = 1 − sin² for every sweep, √2² = 2 and the square of every root: cosines, √2 and roots at most once in
-    /// a term. It is unique where it divides by no root.
-    pub fn normal(&self, alphabet: &Alphabet) -> Result<Self, AlgebraError> {
-        let mut p = self.clone();
-        for (id, root) in alphabet.roots() {
-            while p.terms.iter().any(|(m, _)| m.exponent(id) >= 2) {
-                let (high, mut low): (Vec<Term>, Vec<Term>) =
-                    p.terms.into_iter().partition(|(m, _)| m.exponent(id) >= 2);
-                let square = Self::from_terms(root.of.clone())?;
-                let lowered = high.into_iter().map(|(m, c)| (m.with_exponent(id, m.exponent(id) - 2), c));
-                let lowered = Self::from_terms(lowered.collect())?;
-                low.extend(lowered.times(&square, Order::MOST)?.terms);
-                p = Self::from_terms(low)?;
-            }
-        }
-        let mut p = p.normal_root2()?;
-        for (sin, cos) in alphabet.circles() {
-            let reducible = |m: &Monomial| m.exponent(cos) >= 2;
-            while p.terms.iter().any(|(m, _)| reducible(m)) {
-                let mut terms = Vec::with_capacity(2 * p.terms.len());
-                for (m, c) in p.terms {
-                    if reducible(&m) {
-                        let lower = m.with_exponent(cos, m.exponent(cos) - 2);
-                        let sin2 = lower.times(&Monomial::nominal(sin, 2), MAX_ERROR_ORDER)?;
-                        terms.extend(sin2.map(|m| (m, -&c)));
-                        terms.push((lower, c));
-                    } else {
-                        terms.push((m, c));
-                    }
-                }
-                p = Self::from_terms(terms)?;
-            }
-        }
-        Ok(p)
-    }
-
-    /// Whether it is zero along every path, whatever it divides by.
-    pub fn vanishes(&self, alphabet: &Alphabet) -> Result<bool, AlgebraError> {
-        Ok(self
-            .times(&Self::term(Self::divisor([self], alphabet), integer(1)), Order::MOST)?
-            .normal(alphabet)?
-            .is_zero())
-    }
-
-    /// The powers of roots that any of some polynomials divides by.
-    pub fn divisor<'a>(polys: impl IntoIterator<Item = &'a Self>, alphabet: &Alphabet) -> Monomial {
-        let monomials = || polys.into_iter().flat_map(|p| p.terms.iter().map(|(m, _)| *m));
-        let lowest = monomials().fold(Monomial::ONE, |lowest, m| lowest.lower(&m));
-        alphabet.roots().fold(Monomial::ONE, |m, (id, _)| m.with_exponent(id, -lowest.exponent(id)))
-    }
-
-    /// √2² = 2 put in, and nothing else.
-    pub(crate) fn normal_root2(&self) -> Result<Self, AlgebraError> {
-        let root2 = Alphabet::ROOT2;
-        if self.terms.iter().all(|(m, _)| matches!(m.exponent(root2), 0 | 1)) {
-            return Ok(self.clone());
-        }
-        let reduce = |(m, c): &Term| {
-            let exponent = m.exponent(root2);
-            let twos = rational::power_of_two(exponent.div_euclid(2));
-            (m.with_exponent(root2, exponent.rem_euclid(2)), c * &twos)
-        };
-        Self::from_terms(self.terms.iter().map(reduce).collect())
-    }
-
-    pub(super) fn has_root2(&self) -> bool {
-        self.terms.iter().any(|(m, _)| m.exponent(Alphabet::ROOT2) != 0)
     }
 
     /// The terms with exactly `order` errors.
@@ -277,7 +228,7 @@ impl Poly {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Quantity;
+    use super::super::{Alphabet, Quantity};
     use super::*;
 
     fn circle() -> (Alphabet, Poly, Poly) {
@@ -285,18 +236,6 @@ mod tests {
         let sweep = alphabet.sweep("a").unwrap();
         let [_, sin, cos] = alphabet.sweep_symbols(sweep);
         (alphabet, Poly::nominal(sin), Poly::nominal(cos))
-    }
-
-    #[test]
-    fn powers_of_cosine_have_one_form() {
-        let (alphabet, s, c) = circle();
-        let order = Order::LINEAR;
-        let c4 = c.power(4, order).unwrap().normal(&alphabet).unwrap();
-        let s2 = s.power(2, order).unwrap();
-        let once = Poly::one().minus(&s2).unwrap();
-        assert_eq!(c4, once.times(&once, order).unwrap());
-        let circle = c.power(2, order).unwrap().plus(&s2).unwrap();
-        assert_eq!(circle.normal(&alphabet).unwrap(), Poly::one());
     }
 
     #[test]
@@ -308,17 +247,6 @@ mod tests {
         assert_eq!(sum.times(&sum, Order::LINEAR).unwrap().terms().len(), 3);
         assert_eq!(sum.times(&sum, Order::new(2).unwrap()).unwrap().terms().len(), 6);
         assert_eq!(Order::new(9), Err(AlgebraError::OrderTooHigh));
-    }
-
-    #[test]
-    fn root_two_squares_to_two_and_divides() {
-        let alphabet = Alphabet::default();
-        let root = Poly::nominal(Alphabet::ROOT2);
-        let order = Order::NOMINAL;
-        assert_eq!(root.times(&root, order).unwrap().normal(&alphabet).unwrap(), Poly::integer(2));
-        let inverse = Poly::term(Monomial::nominal(Alphabet::ROOT2, -1), integer(1));
-        let half = root.scaled(&Rational::new(1, 2)).unwrap();
-        assert_eq!(inverse.normal(&alphabet).unwrap(), half);
     }
 
     #[test]
@@ -340,5 +268,17 @@ mod tests {
         assert_eq!(left, right);
         assert_eq!(left, parts);
         assert!(left.minus(&right).unwrap().is_zero());
+    }
+
+    #[test]
+    fn long_fractions_multiply_like_short_ones() {
+        let (_, s, c) = circle();
+        let long = |n: i128| &Rational::new(n, (1 << 100) - 3) * &Rational::new(7, (1 << 90) - n);
+        let p = s.scaled(&long(3)).unwrap().plus(&c.scaled(&long(-5)).unwrap()).unwrap();
+        let q = c.scaled(&long(11)).unwrap().plus(&Poly::constant(Rational::new(2, 3))).unwrap();
+        assert!(p.terms.iter().all(|(_, c)| c.is_long_fraction()));
+        let pair = |((m, a), (n, b)): (&Term, &Term)| (m.times(n, 0).unwrap().unwrap(), a * b);
+        let pairs = p.terms.iter().flat_map(|a| q.terms.iter().map(move |b| pair((a, b))));
+        assert_eq!(p.times(&q, Order::NOMINAL).unwrap(), Poly::from_terms(pairs.collect()).unwrap());
     }
 }

@@ -111,6 +111,11 @@ impl Rational {
         }
     }
 
+    /// Whether it is neither whole nor of two machine integers.
+    pub(super) fn is_long_fraction(&self) -> bool {
+        matches!(&self.0, Repr::Big(big) if !big.is_integer())
+    }
+
     /// True for 0.
     pub fn is_zero(&self) -> bool {
         *self == Self::ZERO

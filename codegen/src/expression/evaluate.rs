@@ -152,17 +152,12 @@ impl Scope<'_> {
     }
 }
 
-/// A product that is the value of an expression, or a step to it; multiplied out with whole coefficients, which takes no search
-/// for common divisors.
+/// A product that is the value of an expression, or a step to it.
 fn product(e: &Expr, x: &Poly, y: &Poly) -> Result<Poly, EvaluationError> {
     if x.terms().len() * y.terms().len() > PRODUCTS {
         return Err((e.span.clone(), Meaning::TooManyTerms));
     }
-    let exact = || {
-        let ((common, x), (factor, y)) = (x.primitive()?, y.primitive()?);
-        x.times(&y, Order::NOMINAL)?.scaled(&(&common * &factor))
-    };
-    bounded(e, exact().map_err(|a| (e.span.clone(), Meaning::Algebra(a)))?)
+    bounded(e, x.times(y, Order::NOMINAL).map_err(|a| (e.span.clone(), Meaning::Algebra(a)))?)
 }
 
 /// A power, whose coefficients are whole to the last step.
