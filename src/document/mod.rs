@@ -1,9 +1,11 @@
 //! Results as one JSON object each, for a program: what the commands print and other languages get.
 
 mod design;
+mod positions;
 mod prediction;
 
 pub use design::design;
+pub use positions::positions;
 pub use prediction::prediction;
 
 use crate::data::{MachineAtHand, Unit};
