@@ -90,7 +90,7 @@ pub fn beyond(text: &str) -> Result<f64, String> {
 
 /// A number of things.
 pub fn count<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
-    within(text, None, 3..=MOST, "a whole number")
+    within(text, None, LEAST..=MOST, "a whole number")
 }
 
 /// `X,Y,…`: N coordinates, mm.
