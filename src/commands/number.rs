@@ -60,7 +60,7 @@ pub fn stops(text: &str) -> Result<usize, String> {
 
 /// An angle between positions, degrees.
 pub fn between(text: &str) -> Result<f64, String> {
-    within(text, None, 0.5..=90.0, "an angle in degrees")
+    within(text, None, 1.0..=90.0, "an angle in degrees")
 }
 
 /// A feed that there is, mm/min.

@@ -3,13 +3,15 @@
 //! V. V. Fedorov, Theory of Optimal Experiments (1972), with what is asked here in place of a determinant: the largest of the
 //! functions' standard deviations over what each is held against, and where that is the same, the mean of their squares.
 
-use super::candidates::Candidates;
+use super::candidates::{Candidates, Known};
 use crate::study::plan::design::grade;
-use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 /// How good a set is, the least is the best.
 pub type Graded = [i64; 2];
+
+/// Times that all of a set's positions are gone through, at most: some five are enough.
+const PASSES: usize = 100;
 
 /// What sets are held to.
 pub struct Held<'a> {
@@ -33,9 +35,9 @@ pub enum First {
 }
 
 impl Held<'_> {
-    /// How good a set is by what it knows; the worst where it does not determine all.
-    pub fn graded(&self, known: DMatrix<f64>) -> Graded {
-        let Some(stds) = self.candidates.stds(known) else { return [i64::MAX; 2] };
+    /// How good a set is by its standard deviations; the worst where it does not determine all.
+    pub fn graded(&self, stds: Option<Vec<f64>>) -> Graded {
+        let Some(stds) = stds else { return [i64::MAX; 2] };
         let shares = || stds.iter().zip(self.against).map(|(std, against)| std / against);
         let mean = shares().map(|share| share * share).sum::<f64>() / stds.len().max(1) as f64;
         let (largest, mean) = (grade(shares().fold(0.0, f64::max)), grade(mean));
@@ -47,19 +49,22 @@ impl Held<'_> {
 
     /// Exchanges positions of a set as long as that makes it better.
     pub fn exchanged(&self, mut chosen: Vec<usize>) -> Vec<usize> {
-        let mut best = self.graded(self.candidates.known(chosen.iter().copied()));
-        loop {
-            let before = best;
+        for _ in 0..PASSES {
+            let mut known = self.candidates.known(chosen.iter().copied());
+            let before = self.graded(known.stds());
+            let mut best = before;
             for at in 0..chosen.len() {
-                if let Some((better, own)) = self.best(&chosen, at).filter(|(better, _)| *better < best) {
-                    (best, chosen[at]) = (better, own);
+                let others = known.but(chosen[at]);
+                if let Some((better, own)) = self.best(&chosen, at, &others).filter(|(better, _)| *better < best) {
+                    (best, chosen[at], known) = (better, own, others.and(own));
                 }
             }
             if best == before {
-                chosen.sort_unstable();
-                return chosen;
+                break;
             }
         }
+        chosen.sort_unstable();
+        chosen
     }
 
     /// Drops positions, always the one that is missed least, until so many are left.
@@ -72,21 +77,20 @@ impl Held<'_> {
                 let run = self.candidates.place(*own).0;
                 left[run] > self.least[run]
             };
-            let without = |own: usize| (self.graded(&known - self.candidates.information(own)), own);
+            let without = |own: usize| (self.graded(known.without(own)), own);
             let Some((_, missed)) = chosen.par_iter().copied().filter(may).map(without).min() else { break };
-            known -= self.candidates.information(missed);
             chosen.retain(|own| *own != missed);
+            known = known.but(missed);
         }
         chosen
     }
 
-    /// The best in the place of one of a set's positions, the first of those that are as good.
-    fn best(&self, chosen: &[usize], place: usize) -> Option<(Graded, usize)> {
-        let others: Vec<usize> = (0..chosen.len()).filter(|i| *i != place).map(|i| chosen[i]).collect();
-        let (known, left) = (self.candidates.known(others.iter().copied()), self.counts(&others));
-        let missing = (0..left.len()).find(|run| left[*run] < self.least[*run]);
-        let may = |own: &usize| !chosen.contains(own) && missing.is_none_or(|run| self.candidates.place(*own).0 == run);
-        let one = |own: usize| (self.graded(&known + self.candidates.information(own)), own);
+    /// The best beside the others in the place of one of a set's positions, the first of those that are as good.
+    fn best(&self, chosen: &[usize], place: usize, others: &Known) -> Option<(Graded, usize)> {
+        let run = self.candidates.place(chosen[place]).0;
+        let stays = self.counts(chosen)[run] <= self.least[run];
+        let may = |own: &usize| !chosen.contains(own) && (!stays || self.candidates.place(*own).0 == run);
+        let one = |own: usize| (self.graded(others.with(own)), own);
         (0..self.candidates.len()).into_par_iter().filter(may).map(one).min()
     }
 

@@ -203,7 +203,7 @@ impl Search<'_> {
         let evenly: Vec<Vec<f64>> = self.measurements.iter().zip(counts).map(spread).collect();
         let even = self.chosen(evenly.clone())?;
         let known = self.candidates.known_at(&evenly);
-        let stds = self.candidates.stds(known.clone());
+        let stds = known.stds();
         let against = within.map(<[f64]>::to_vec).or(stds).unwrap_or_default();
         let held = Held { candidates: self.candidates, against: &against, least, first: First::Largest };
         let count = counts.iter().sum();
@@ -211,9 +211,9 @@ impl Search<'_> {
         let from = [self.nearest(&evenly), held.dropped(count), smooth.dropped(count)];
         let exchanged =
             from.into_iter().flat_map(|set| [set.clone(), smooth.exchanged(set)]).map(|set| held.exchanged(set));
-        let graded = |set: &Vec<usize>| held.graded(self.candidates.known(set.iter().copied()));
+        let graded = |set: &Vec<usize>| held.graded(self.candidates.known(set.iter().copied()).stds());
         let best = exchanged.min_by_key(|set| (graded(set), set.clone())).unwrap_or_default();
-        if within.is_none() && graded(&best) > held.graded(known) {
+        if within.is_none() && graded(&best) > held.graded(known.stds()) {
             return Ok((even.clone(), even));
         }
         let mut positions = vec![Vec::new(); self.measurements.len()];
