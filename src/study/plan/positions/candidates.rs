@@ -37,8 +37,16 @@ pub struct Candidates<'a> {
 pub struct Known<'a> {
     candidates: &'a Candidates<'a>,
     sum: DMatrix<f64>,
-    /// Its factor L, `L⁻¹ φ` of each target, and their variances; none where not all is determined.
-    solved: Option<(Cholesky<f64, Dyn>, DMatrix<f64>, Vec<f64>)>,
+    /// None where not all is determined.
+    solved: Option<Solved>,
+}
+
+struct Solved {
+    /// L of `M = L Lᵀ`.
+    factor: Cholesky<f64, Dyn>,
+    /// `L⁻¹ φ` of each target.
+    targets: DMatrix<f64>,
+    variances: Vec<f64>,
 }
 
 /// The readings of zero of runs that stop at positions.
@@ -126,7 +134,7 @@ impl<'a> Candidates<'a> {
         let solved = Cholesky::new(sum.clone()).and_then(|factor| {
             let targets = factor.l_dirty().solve_lower_triangular(&self.targets)?;
             let variances = targets.column_iter().map(|own| own.norm_squared()).collect();
-            Some((factor, targets, variances))
+            Some(Solved { factor, targets, variances })
         });
         Known { candidates: self, sum, solved }
     }
@@ -167,7 +175,7 @@ impl<'a> Candidates<'a> {
 impl Known<'_> {
     /// Each function's largest standard deviation for one of the readings; `None` where not all is determined.
     pub fn stds(&self) -> Option<Vec<f64>> {
-        self.solved.as_ref().map(|(_, _, variances)| self.candidates.largest(variances))
+        self.solved.as_ref().map(|own| self.candidates.largest(&own.variances))
     }
 
     /// What is known with one position more.
@@ -193,7 +201,7 @@ impl Known<'_> {
     /// Rows R added or taken away: `φᵀ (M ± RᵀR)⁻¹ φ = φᵀ M⁻¹ φ ∓ bᵀ (1 ± R M⁻¹ Rᵀ)⁻¹ b` with `b = R M⁻¹ φ`.
     fn changed(&self, candidate: usize, sign: f64) -> Option<Vec<f64>> {
         let rows = &self.candidates.rows[candidate];
-        let quick = self.solved.as_ref().and_then(|(factor, targets, variances)| {
+        let quick = self.solved.as_ref().and_then(|Solved { factor, targets, variances }| {
             let own = factor.l_dirty().solve_lower_triangular(rows)?;
             let mut inner = own.tr_mul(&own) * sign;
             (0..inner.nrows()).for_each(|i| inner[(i, i)] += 1.0);
