@@ -162,13 +162,28 @@ fn location_errors_are_found_and_told_in_the_terms_of_a_control() {
     ] {
         assert!((set(pin) - expected).abs() < 1e-6, "{pin}: {} and not {expected}", set(pin));
     }
+    // A sum is as uncertain as its errors are together, in the file as in the object.
+    let told = ["--format", "linuxcnc", "--json", "--force", "--pin", "y-rot-point=-35.5"];
+    let object: Value =
+        serde_json::from_str(&run(&["pivots", "ac-trunnion-probe", "--out", "pivots.hal"], &told)).unwrap();
+    let named = |of: &str, name: &str, key: &str| {
+        let own = object[of].as_array().unwrap().iter().find(|own| own["name"] == name).unwrap();
+        own[key].as_f64().unwrap()
+    };
+    let [of_x, of_y] = ["x-rot-point", "y-rot-point"].map(|pin| named("pins", pin, "u95"));
+    let [x_c, y_a, y_c] = ["EX0C", "EY0A", "EY0C"].map(|error| named("location_errors", error, "u95"));
+    assert!((of_x / x_c - 1.0).abs() < 1e-9 && of_y < 0.9 * y_a.hypot(y_c), "{of_x} {x_c}; {of_y} {y_a} {y_c}");
+    assert!((named("pins", "y-rot-point", "value_mm") - set("y-rot-point")).abs() < 1e-6);
+    let value = 1e3 * (found["EY0A"] + found["EY0C"]);
+    let line = format!("# -35.500000 + EY0A + EY0C = {value:.2} +- {of_y:.2} um (95 %)");
+    assert!(hal.lines().any(|own| own == line), "{line}: {hal}");
     assert!(["EB0A", "EC0A", "EA0C", "EB0C"].iter().all(|name| hal.contains(&format!("# no pin for {name}"))));
 
     run(&["pivots", "ac-trunnion-probe", "--format", "sinumerik", "--out", "chain.txt"], &[]);
     let chain = fs::read_to_string(at.join("chain.txt")).unwrap();
     let three = |start: &str| {
         let line = chain.lines().find(|line| line.contains(start)).unwrap();
-        let inside = line.split_once('(').unwrap().1.trim_end_matches(')');
+        let inside = line.split_once('(').unwrap().1.split_once(')').unwrap().0;
         inside.split(", ").map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>()
     };
     assert_eq!(three("offset before A")[1..], [found["EY0A"], found["EZ0A"]].map(|x| (x * 1e6).round() / 1e6));

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use trunnion::data::{Columns, FileError, MachineAtHand, ObservationsError, Project, Recorded, RunFiles, Stamp};
 use trunnion::study::plan::subset;
 use trunnion::study::{
-    Estimator, Failed, Fit, How, Instrument, Observation, Recording, Report, Setup, SetupError, fit_recorded,
+    Estimator, Failed, Fit, How, Instrument, Observation, Recording, Report, Setup, SetupError, Sources, fit_recorded,
     report_on, weigh,
 };
 use trunnion_codegen::ids::RunId;
@@ -188,6 +188,12 @@ impl Measured<'_> {
     pub fn report(&self, fit: &Fit, observations: &[Observation]) -> Result<Report, Refused> {
         let limits = self.arguments.limits.limits(&self.setup);
         Ok(report_on(&self.setup, observations, fit, limits, &self.instrument, self.table.is_none())?)
+    }
+
+    /// What a fit's uncertainty is made of.
+    pub fn sources<'b>(&'b self, fit: &'b Fit, observations: &'b [Observation]) -> Sources<'b> {
+        let limits = self.arguments.limits.limits(&self.setup);
+        Sources::new(&self.setup, observations, fit, limits, &self.instrument, self.table.is_none())
     }
 
     /// The name of the instrument whose published errors are taken.

@@ -6,12 +6,14 @@ use super::number::{self, length};
 use super::output::say;
 use super::stated::RangeArguments;
 use clap::Args;
+use std::f64::consts::TAU;
 use std::path::{Path as FilePath, PathBuf};
-use trunnion::data::{Files, Guard, PROJECT};
+use trunnion::data::{Files, Guard, PROJECT, read_positions, read_text};
 use trunnion::program::{Control, Probing, Program};
 use trunnion::project::{self, Planned};
-use trunnion::study::plan::{Intended, predict};
-use trunnion::study::{Estimator, Measurement, Path};
+use trunnion::study::plan::positions::{PositionsError, unread};
+use trunnion::study::plan::{Intended, predict, predict_at};
+use trunnion::study::{Estimator, Measurement, Path, Setup};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::problems::Named;
 use trunnion_codegen::quantity::Unit;
@@ -34,10 +36,13 @@ pub struct NewArguments {
     overshoot: f64,
     /// Positions of a touch probe in each run that reads three displacements: its programs stop there and find a sphere's centre,
     /// in place of a path for probes that read on the way.
-    #[arg(long, value_name = "N", value_parser = number::stops)]
+    #[arg(long, value_name = "N", value_parser = number::stops, group = "stops")]
     positions: Option<usize>,
+    /// The same at the positions of a file, as `trunnion plan --positions N --out FILE` proposes them.
+    #[arg(long, value_name = "FILE", group = "stops")]
+    at: Option<PathBuf>,
     /// Half of the diameters of the sphere and of the touch probe's ball together, mm: how far their centres are apart at a touch.
-    #[arg(long, value_name = "MM", default_value_t = 15.0, value_parser = length, requires = "positions")]
+    #[arg(long, value_name = "MM", default_value_t = 15.0, value_parser = length, requires = "stops")]
     touch_mm: f64,
     /// The folder.
     #[arg(long, value_name = "DIR")]
@@ -55,27 +60,31 @@ impl NewArguments {
             return Err(Refused::IsProject(self.model.model.unwrap_or(PROJECT.to_owned())));
         }
         let setup = self.model.setup(&source, |model| self.ranges.apply(model))?;
-        let probed = self.positions.is_some();
-        if probed && !setup.measurements().iter().any(Measurement::is_displacement) {
-            let given = self.positions.unwrap_or_default().to_string();
-            return Err(Refused::Option(
-                "positions",
-                given,
-                "no run reads three displacements\n  expected a model whose runs read \"xyz\"",
-            ));
-        }
+        let measurements = setup.measurements();
+        let stops = self.stops(&setup, &measurements)?;
+        let probed = stops.is_some();
         // What a standard deviation of 1 µm of the readings makes of each function.
-        let samples = self.positions.unwrap_or(SAMPLES);
-        let intended = Intended { samples, range: (0.0, std::f64::consts::TAU), sigma: Unit::Um.to_inner(1.0) };
-        let prediction = predict(&setup, intended, Estimator::Joint)?;
-        let path = |measurement: Measurement| {
+        let sigma = Unit::Um.to_inner(1.0);
+        let prediction = match &stops {
+            Some(positions) => {
+                let stopping = unread(&setup, &measurements, positions);
+                predict_at(&setup, &stopping, &stopping, sigma, Estimator::Joint)?
+            }
+            None => predict(&setup, Intended { samples: SAMPLES, range: (0.0, TAU), sigma }, Estimator::Joint)?,
+        };
+        let counts = || stops.iter().flatten().map(Vec::len);
+        let samples = counts().next().unwrap_or(SAMPLES);
+        let samples = counts().all(|count| count == samples).then_some(samples);
+        let path = |(at, measurement): (usize, Measurement)| {
             let run = measurement.first()?;
-            let positions = self.positions.filter(|_| measurement.is_displacement());
-            let path = positions
-                .map_or_else(|| setup.path(run, self.overshoot.to_radians()), |count| setup.positions(run, count));
+            let own = stops.as_ref().and_then(|stops| stops.get(at)).filter(|_| measurement.is_displacement());
+            let path = own.map_or_else(
+                || setup.path(run, self.overshoot.to_radians()),
+                |sweeps| setup.positions(run, sweeps.clone()),
+            );
             Some((measurement, path))
         };
-        let paths: Vec<(Measurement, Path)> = setup.measurements().into_iter().filter_map(path).collect();
+        let paths: Vec<(Measurement, Path)> = measurements.into_iter().enumerate().filter_map(path).collect();
         let mut files = Files::default();
         let Named { name, text } = &source.described.model;
         // A model file comes along.
@@ -109,6 +118,36 @@ impl NewArguments {
                 }
             }
         }
-        Ok(files.write(&self.out, &Guard { inputs: source.inputs(), force: self.force })?)
+        Ok(files.write(
+            &self.out,
+            &Guard { inputs: source.inputs().into_iter().chain(self.at.clone()).collect(), force: self.force },
+        )?)
+    }
+
+    /// Where each run stops, rad, in the order of the runs; none where they do not.
+    fn stops(&self, setup: &Setup, measurements: &[Measurement]) -> Result<Option<Vec<Vec<f64>>>, Refused> {
+        if let Some(count) = self.positions {
+            if !measurements.iter().any(Measurement::is_displacement) {
+                return Err(Refused::Option("positions", count.to_string(), NONE_DISPLACED));
+            }
+            // The runs' files would be refused.
+            if let Some(own) = measurements.iter().find(|own| own.is_displacement() && count < setup.least(&own.runs)) {
+                let (of, least) = (format!("run {}", own.name), setup.least(&own.runs));
+                return Err(PositionsError::TooFew { wanted: count, of, least }.into());
+            }
+            let evenly = |own: &Measurement| own.first().map_or(Vec::new(), |run| setup.evenly(run, count));
+            return Ok(Some(measurements.iter().map(evenly).collect()));
+        }
+        let Some(file) = &self.at else { return Ok(None) };
+        if !measurements.iter().all(Measurement::is_displacement) {
+            return Err(Refused::Option("at", file.display().to_string(), NOT_DISPLACED));
+        }
+        let text = read_text(file).map_err(|problem| Refused::Text(file.clone(), problem))?;
+        let read = read_positions(&text, setup, measurements);
+        Ok(Some(read.map_err(|problem| Refused::PositionsFile(file.clone(), problem))?))
     }
 }
+
+/// Of what a touch probe does not measure.
+const NONE_DISPLACED: &str = "no run reads three displacements\n  expected a model whose runs read \"xyz\"";
+const NOT_DISPLACED: &str = "a run does not read three displacements\n  expected a model whose runs all read \"xyz\"";

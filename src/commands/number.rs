@@ -3,6 +3,7 @@
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
+use trunnion::data::limits::MOST_POSITIONS;
 
 /// A number of a type within a range, `above` being a bound that it has to be beyond itself.
 fn within<T: FromStr + PartialOrd + Display + Copy>(
@@ -54,7 +55,12 @@ pub fn goal(text: &str) -> Result<f64, String> {
 
 /// Positions at which something is probed.
 pub fn stops(text: &str) -> Result<usize, String> {
-    within(text, None, 3..=1000, "a number of positions")
+    within(text, None, 3..=MOST_POSITIONS, "a number of positions")
+}
+
+/// An angle between positions, degrees.
+pub fn between(text: &str) -> Result<f64, String> {
+    within(text, None, 1.0..=90.0, "an angle in degrees")
 }
 
 /// A feed that there is, mm/min.

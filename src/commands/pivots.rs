@@ -5,11 +5,11 @@ use super::output::{print, say};
 use super::pair::pair;
 use super::{Refused, number};
 use clap::{Args, ValueEnum};
-use serde_json::json;
 use std::fmt::Write;
 use std::path::PathBuf;
 use trunnion::data::{Guard, write_table};
-use trunnion::export::{Located, linuxcnc_pivots, located, pivot_words, sinumerik_pivots};
+use trunnion::document;
+use trunnion::export::{Chained, Located, Pins, chain, chain_text, pins};
 use trunnion::plot::MADE;
 
 /// Arguments of `pivots`.
@@ -49,45 +49,66 @@ impl PivotArguments {
         if let Some(pin) = self.pins.first().filter(|_| self.format != Takes::Linuxcnc) {
             return Err(Refused::Option("pin", pin.clone(), "no effect on sinumerik\n  expected it left out"));
         }
-        let pins = self.pins.iter().map(|given| pin(given)).collect::<Result<Vec<_>, _>>()?;
+        let pinned = self.pins.iter().map(|given| pin(given)).collect::<Result<Vec<_>, _>>()?;
         let measured = self.measured.measured()?;
         let recorded = measured.open()?;
         let (fit, observations) = measured.fit(&recorded)?;
         let report = measured.report(&fit, &observations)?;
         let model = &measured.setup.model;
-        let located = located(&measured.setup, &report.functions);
+        let sources = measured.sources(&fit, &observations);
+        let located = Located::new(&measured.setup, &fit, &sources);
         if located.is_empty() {
             return Err(Refused::NothingDetermined(String::from("location errors")));
         }
+        let taken = match self.format {
+            Takes::Linuxcnc => Taken::Linuxcnc(pins(model, &located, &pinned)?),
+            Takes::Sinumerik => Taken::Sinumerik(chain(model, &located)),
+        };
         let mut notes =
             vec![format!("{MADE} trunnion {}, model {}: where its axes are", env!("CARGO_PKG_VERSION"), model.name)];
-        notes.extend(located.iter().map(|own| format!("{} (95 %)", pivot_words(own))));
-        let text = match self.format {
-            Takes::Linuxcnc => linuxcnc_pivots(model, &located, &pins, &notes)?,
-            Takes::Sinumerik => sinumerik_pivots(model, &located, &notes),
+        notes.extend(located.each().map(|(name, own)| format!("{name} = {} (95 %)", own.words())));
+        let text = match &taken {
+            Taken::Linuxcnc(pins) => pins.text(&notes),
+            Taken::Sinumerik(chain) => chain_text(chain, &notes),
         };
         for warning in &report.warnings {
             say(format_args!("warning: {warning}"));
         }
         write_table(&self.out, &text, &Guard { inputs: measured.inputs().collect(), force: self.force })?;
-        Ok(print(&if self.json { format!("{:#}\n", self.object(&located)) } else { self.text(&located) })?)
+        Ok(print(&match self.json {
+            true => format!(
+                "{:#}\n",
+                document::pivots(&self.out.display().to_string(), &located, taken.pins(), taken.chain())
+            ),
+            false => self.text(&located, &taken),
+        })?)
     }
 
-    fn text(&self, located: &[Located]) -> String {
+    fn text(&self, located: &Located, taken: &Taken) -> String {
         let mut out = format!("{}\n", self.out.display());
-        located.iter().for_each(|own| {
-            let _ = writeln!(out, "  {} (95 %)", pivot_words(own));
-        });
+        for (name, own) in located.each() {
+            let _ = writeln!(out, "  {name} = {} (95 %)", own.words());
+        }
+        for pin in taken.pins().iter().flat_map(|own| &own.pins) {
+            let _ = writeln!(out, "  {} {:.6}: {} (95 %)", pin.name, pin.value, pin.words());
+        }
         out
     }
+}
 
-    fn object(&self, located: &[Located]) -> serde_json::Value {
-        let one = |own: &Located| {
-            let unit = own.quantity.deviation();
-            let [value, u95] = [own.value, own.u95].map(|x| unit.from_inner(x));
-            json!({ "name": own.iso, "unit": unit.suffix(), "value": value, "u95": u95 })
-        };
-        json!({ "file": self.out.display().to_string(), "location_errors": located.iter().map(one).collect::<Vec<_>>() })
+/// What a control takes.
+enum Taken {
+    Linuxcnc(Pins),
+    Sinumerik(Vec<Chained>),
+}
+
+impl Taken {
+    fn pins(&self) -> Option<&Pins> {
+        if let Self::Linuxcnc(pins) = self { Some(pins) } else { None }
+    }
+
+    fn chain(&self) -> &[Chained] {
+        if let Self::Sinumerik(chain) = self { chain } else { &[] }
     }
 }
 

@@ -8,7 +8,8 @@ use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::circular::{CircularError, TraceError};
 use trunnion::data::{
-    FileError, FileProblem, NativeError, ObservationsError, ProjectError, RadiusError, TextError, WriteError,
+    FileError, FileProblem, NativeError, ObservationsError, PositionsProblem, ProjectError, RadiusError, TextError,
+    WriteError,
 };
 use trunnion::export::{GridError, NoAxis, NoPivots, NoPlace};
 use trunnion::history::HistoryError;
@@ -16,6 +17,7 @@ use trunnion::import::Wrong;
 use trunnion::plot::PlotError;
 use trunnion::report::ReportError;
 use trunnion::study::plan::design::DesignError;
+use trunnion::study::plan::positions::PositionsError;
 use trunnion::study::{EstimateError, LARGEST, OutOfRange, SetupError, StudyError, WeightError};
 use trunnion_codegen::emit::hal::ComponentError;
 use trunnion_codegen::graph::Unbound;
@@ -115,6 +117,10 @@ pub enum Refused {
     Within(String, usize),
     #[error("{}", design(.0))]
     Design(#[from] DesignError),
+    #[error("{}", positions(.0))]
+    Positions(#[from] PositionsError),
+    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
+    PositionsFile(PathBuf, PositionsProblem),
     #[error("--samples {0}: too many\n  expected at most {1} for each of {2} runs")]
     Samples(u32, usize, usize),
     #[error("--function {0}: no function that this model estimates\n  expected one of {1}")]
@@ -210,6 +216,13 @@ fn design(error: &DesignError) -> String {
     match error {
         DesignError::Setup(error) => setup(error),
         DesignError::Estimate(error) => estimate(error),
+        other => other.to_string(),
+    }
+}
+
+fn positions(error: &PositionsError) -> String {
+    match error {
+        PositionsError::Estimate(error) => estimate(error),
         other => other.to_string(),
     }
 }

@@ -116,7 +116,7 @@ impl RunFiles {
             },
             names: &self.columns,
             bar_mm: setup.bar(run),
-            least: setup.unknowns(&together).div_ceil(together.len()) + 1,
+            least: setup.least(&together),
         };
         let table = table.filter(|_| !derived.known.is_empty());
         let known = || table.map_or_else(KnownAlong::default, |table| table.along(setup, run));

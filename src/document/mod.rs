@@ -1,9 +1,13 @@
 //! Results as one JSON object each, for a program: what the commands print and other languages get.
 
 mod design;
+mod pivots;
+mod positions;
 mod prediction;
 
 pub use design::design;
+pub use pivots::pivots;
+pub use positions::positions;
 pub use prediction::prediction;
 
 use crate::data::{MachineAtHand, Unit};

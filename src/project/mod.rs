@@ -23,8 +23,8 @@ pub struct Planned<'a> {
     pub prediction: &'a Prediction,
     /// How the axes move in each measurement.
     pub paths: &'a [(Measurement, Path)],
-    /// Readings of each that the prediction is for.
-    pub samples: usize,
+    /// Readings of each that the prediction is for, where these are as many of each.
+    pub samples: Option<usize>,
     /// Whether a touch probe finds a sphere at each position.
     pub probed: bool,
 }

@@ -21,9 +21,9 @@ pub fn plan(planned: &Planned) -> String {
         out,
         "## What the runs give\n\n\
          The valuation number is the standard deviation of a function, where it is largest, for each µm of the standard \
-         deviation\nof a reading, with {} readings a run. Noise alone is in it: the report of `trunnion fit` has the other \
+         deviation\nof a reading, with {}. Noise alone is in it: the report of `trunnion fit` has the other \
          sources.\n\n| function | valuation number | what is determined |\n|---|---:|---|\n",
-        planned.samples
+        planned.samples.map_or("those of the runs".to_owned(), |samples| format!("{samples} readings a run"))
     );
     for function in &planned.prediction.functions {
         let name = setup.function_name(function.function);
@@ -99,10 +99,10 @@ const DRIVEN: &str = "The NC programs move in straight blocks that all take the 
 
 /// Degrees, or µm, for each µm.
 fn valuation(planned: &Planned, function: &Predicted) -> String {
-    let Some(largest) = function.largest else { return "–".to_owned() };
-    match planned.setup.quantity(function.function).deviation() {
-        Unit::Um => format!("{:.4} µm/µm", Unit::Um.from_inner(largest.std)),
-        _ => format!("{:.6} °/µm", Unit::Deg.from_inner(largest.std)),
+    match function.valuation(planned.setup, Unit::Um.to_inner(1.0)) {
+        None => "–".to_owned(),
+        Some((value, Unit::Um)) => format!("{value:.4} µm/µm"),
+        Some((value, _)) => format!("{value:.6} °/µm"),
     }
 }
 
@@ -135,7 +135,9 @@ fn one(planned: &Planned, at: usize, measurement: &Measurement, path: &Path, as_
     match measurement.first().and_then(|run| setup.bar(run)) {
         None if planned.is_probed(measurement) => {
             let positions = path.sweeps.len();
+            let all: Vec<String> = path.sweeps.iter().map(|sweep| format!("{:.2}", sweep.to_degrees() + 0.0)).collect();
             let _ = writeln!(out, "* A sphere probed at {positions} positions, sweep {from:.1}° to {to:.1}°.");
+            let _ = writeln!(out, "* Positions: {}.", all.join("°, ") + "°");
         }
         Some(bar) => {
             let _ = writeln!(out, "* Bar of {bar} mm, sweep {from:.1}° to {to:.1}°.");

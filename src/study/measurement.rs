@@ -52,10 +52,11 @@ impl Setup {
         own.map_or_else(|| vec![run], |measurement| measurement.runs)
     }
 
-    /// How many base parameters some runs see.
-    pub fn unknowns(&self, runs: &[RunId]) -> usize {
+    /// How many samples runs that are measured together need: one more than it takes for the base parameters that they see.
+    pub fn least(&self, runs: &[RunId]) -> usize {
         let seen = runs.iter().flat_map(|run| &self.derivation.runs[*run].regressors);
-        seen.map(|(base, _)| *base).collect::<BTreeSet<_>>().len()
+        let unknowns = seen.map(|(base, _)| *base).collect::<BTreeSet<_>>().len();
+        unknowns.div_ceil(runs.len().max(1)) + 1
     }
 
     /// The three runs of which this is the first.

@@ -58,7 +58,7 @@ mod weights;
 
 pub use arrays::{ArrayError, Arrays, Column, KnownColumn};
 pub use budget::{
-    Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, coverage_factor,
+    Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, Term, coverage_factor,
 };
 pub use by_direction::{ByDirection, Failing, NotByDirection, by_direction};
 pub use covered::Covered;

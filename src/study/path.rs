@@ -79,15 +79,18 @@ impl Setup {
         }
     }
 
-    /// `count` positions of a run, evenly over what of a turn its axes can reach: a whole turn without its end.
-    pub fn positions(&self, run: RunId, count: usize) -> Path {
-        let along = self.path(run, 0.0);
-        let [from, to] = along.measured;
+    /// `count` values of a run's sweep, rad, evenly over what of a turn its axes can reach: a whole turn without its end.
+    pub fn evenly(&self, run: RunId, count: usize) -> Vec<f64> {
+        let (from, to) = self.sweep_range(run, (0.0, TAU));
         let steps = if to - from < TAU - 1e-9 { count.saturating_sub(1) } else { count };
-        let sweeps: Vec<f64> = (0..count).map(|i| from + (to - from) * i as f64 / steps.max(1) as f64).collect();
+        (0..count).map(|i| from + (to - from) * i as f64 / steps.max(1) as f64).collect()
+    }
+
+    /// A run that stops at values of its sweep, rad, in their order.
+    pub fn positions(&self, run: RunId, sweeps: Vec<f64>) -> Path {
         let points = self.points(run, &self.moved(run), &sweeps);
-        let measured = [from, sweeps.last().copied().unwrap_or(to)];
-        Path { measured, sweeps, points, outward: None, ..along }
+        let ends = sweeps.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], &x| [l.min(x), h.max(x)]);
+        Path { measured: ends, sweeps, points, outward: None, ..self.path(run, 0.0) }
     }
 
     /// The axes that move in a run, or stand at a coordinate.

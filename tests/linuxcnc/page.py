@@ -10,7 +10,7 @@ from pathlib import Path
 
 # Every session draws the same noise; what differs are the last digits of another version's path, and a probe stops a servo
 # period sooner or later.
-RELATIVE, ABSOLUTE = 0.05, {"linuxcnc": 0.03, "pivots": 3.0}
+RELATIVE, ABSOLUTE = 0.05, {"linuxcnc": 0.03, "ac-trunnion-probe": 3.0, "bc-trunnion-probe": 3.0}
 # What a processor and a compiler make of it is told, not held.
 OWN = ("clock cycles", "bytes")
 

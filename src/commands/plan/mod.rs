@@ -3,17 +3,19 @@
 mod designed;
 mod found;
 mod json;
+mod positions;
 mod text;
 
 use self::designed::Wanted;
 use self::found::Found;
+use self::positions::PositionArguments;
 use super::Refused;
-use super::model::{lengths, others, source};
+use super::model::{lengths, others, setup, source};
 use super::number;
 use super::output::print;
 use super::predicted::{self, Measuring};
 use super::stated::{InstrumentArguments, LimitArguments, RangeArguments};
-use clap::Args;
+use clap::{ArgGroup, Args};
 use trunnion::data::Radius;
 use trunnion::data::Unit;
 use trunnion::study::plan::design::{Measured, recommended};
@@ -26,6 +28,7 @@ use trunnion_codegen::problems::derivation;
 
 /// Arguments of `plan`.
 #[derive(Debug, Args)]
+#[command(group(ArgGroup::new("wanted").args(["functions", "positions"]).multiple(true)))]
 pub struct PlanArguments {
     /// A name from the catalogue, a model file, or a project; without it the project of this folder, trunnion.toml.
     model: Option<String>,
@@ -47,9 +50,11 @@ pub struct PlanArguments {
     #[arg(long = "for", value_name = "FUNCTION", value_delimiter = ',', conflicts_with_all = ["range_deg", "without"])]
     functions: Vec<String>,
     /// With --for: how large the expanded uncertainty of 95 % from all sources may be, µrad or µm, one for all or one for each; a
-    /// tenth more than the least without it.
-    #[arg(long, value_name = "U", value_delimiter = ',', requires = "functions", value_parser = number::goal, allow_negative_numbers = true)]
+    /// tenth more than the least without it. With --positions fewest: the same, from noise.
+    #[arg(long, value_name = "U", value_delimiter = ',', requires = "wanted", value_parser = number::goal, allow_negative_numbers = true)]
     within: Vec<f64>,
+    #[command(flatten)]
+    positions: PositionArguments,
     #[command(flatten)]
     limits: LimitArguments,
     #[command(flatten)]
@@ -72,13 +77,15 @@ impl PlanArguments {
         let source = source(self.model.as_deref())?;
         let mut model = source.model()?;
         self.ranges.apply(&mut model)?;
+        if let Some(count) = self.positions.count {
+            let setup = setup(model, self.one_radius()?, &self.lengths)?;
+            let asked =
+                positions::Asking { functions: &self.functions, within: &self.within, measuring: &self.measuring };
+            return self.positions.run(count, &setup, &asked, &source.inputs(), self.json);
+        }
         // The model has just been read, so its draft can be.
         let mut draft = source.described.draft().unwrap_or_default();
         if !self.functions.is_empty() {
-            if let Some(second) = self.radius.get(1) {
-                let told = "of no use with --for\n  expected one length of the bar";
-                return Err(Refused::Option("radius", second.to_string(), told));
-            }
             self.ranges.write(&model, &mut draft);
             return self.wanted(&model)?.run(&draft, &model);
         }
@@ -107,6 +114,18 @@ impl PlanArguments {
         })?)
     }
 
+    /// The bar, where no two are compared.
+    fn one_radius(&self) -> Result<Option<Radius>, Refused> {
+        match self.radius.get(1) {
+            None => self.first_radius(),
+            Some(second) => Err(Refused::Option(
+                "radius",
+                second.to_string(),
+                "of no use with --for and --positions\n  expected one length of the bar",
+            )),
+        }
+    }
+
     fn first_radius(&self) -> Result<Option<Radius>, Refused> {
         Ok(self.radius.first().map(|&mm| Radius::new(mm)).transpose()?)
     }
@@ -116,7 +135,7 @@ impl PlanArguments {
         Ok(Wanted {
             functions: &self.functions,
             within: &self.within,
-            radius: self.first_radius()?,
+            radius: self.one_radius()?,
             lengths: &self.lengths,
             limits: self.limits.of(model),
             instrument: self.instrument.instrument(model)?,

@@ -2,8 +2,8 @@
 
 use super::confounding::Sum;
 use super::parts::{Ignored, Parts};
+use super::term::Term;
 use crate::study::fit::{Fit, Observation};
-use crate::study::seen::Seen;
 use crate::study::setup::Setup;
 use nalgebra::DVector;
 use trunnion_codegen::algebra::{ErrorId, Monomial, Poly, at};
@@ -28,19 +28,19 @@ impl<'a> Assumptions<'a> {
         Self { setup, responses }
     }
 
-    /// What they add to a combination of base parameters, and with a function at a coordinate to what it is short of: in
+    /// What they add to a combination of base parameters, and with functions at coordinates to what these are short of: in
     /// parameters.
-    pub fn sum(&self, functional: &DVector<f64>, function: Option<(&Seen, f64)>) -> Sum {
+    pub fn sum(&self, functional: &DVector<f64>, terms: &[Term]) -> Sum {
         let mut sum = Sum::new();
         let moved = self.responses.tr_mul(functional);
         for (assumed, moved) in self.setup.derivation.assumed.iter().zip(moved.iter()) {
-            let own = |(seen, x): (&Seen, f64)| match assumed.origin {
-                Origin::Coefficient(Coefficient { function, term }) if function == seen.function() => {
-                    self.setup.basis(function, x).get(term).copied()
+            let own = |of: &Term| match assumed.origin {
+                Origin::Coefficient(Coefficient { function, term }) if function == of.seen.function() => {
+                    self.setup.basis(function, of.at).get(term).map(|value| of.factor * value)
                 }
                 _ => None,
             };
-            let factor = moved - function.and_then(own).unwrap_or(0.0);
+            let factor = moved - terms.iter().filter_map(own).sum::<f64>();
             sum.push((assumed.origin, factor));
             let number = |p: &Poly| at(p, &self.setup.model.alphabet, 0.0, |n| self.setup.constant(n));
             sum.extend(assumed.is.iter().map(|(origin, p)| (*origin, -factor * number(p))));

@@ -3,6 +3,7 @@
 use super::input::{Of, Part};
 use super::parts::Parts;
 use super::source::Source;
+use super::term::Term;
 use crate::study::fit::{Fit, Observation, Sample};
 use crate::study::seen::Seen;
 use crate::study::setup::Setup;
@@ -42,14 +43,15 @@ impl Lengths {
         Self { stds, changed, responses }
     }
 
-    /// What each puts into a combination of base parameters; with a function at a coordinate, into that.
-    pub fn parts(&self, fit: &Fit, functional: &DVector<f64>, function: Option<(&Seen, f64)>) -> Vec<Part> {
+    /// What each puts into a combination of base parameters; with functions at coordinates, into their sum.
+    pub fn parts(&self, fit: &Fit, functional: &DVector<f64>, terms: &[Term]) -> Vec<Part> {
         let moved = self.responses.tr_mul(functional);
         let one = |((moved, changed), &(length, std)): ((&f64, &Setup), &(NominalId, f64))| {
-            let basis = function.map_or(0.0, |(seen, x)| {
-                let other = Seen::new(changed, seen.determination.clone());
-                (fit.functional_of(changed, &other, x) - functional).dot(&fit.values)
+            let changed = terms.iter().map(|term| {
+                let other = Seen::new(changed, term.seen.determination.clone());
+                fit.functional_of(changed, &other, term.at).dot(&fit.values) * term.factor
             });
+            let basis = if terms.is_empty() { 0.0 } else { changed.sum::<f64>() - functional.dot(&fit.values) };
             Part { source: Source::Lengths, of: Of::Length(length), std, contribution: (moved + basis).abs() }
         };
         moved.iter().zip(&self.changed).zip(&self.stds).map(one).collect()

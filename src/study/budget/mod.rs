@@ -15,6 +15,7 @@ mod linearisation;
 mod parts;
 mod propagated;
 mod source;
+mod term;
 
 pub(super) use effects::without_table;
 pub use gum::{COVERAGE, Combined, combine, coverage_factor};
@@ -22,6 +23,7 @@ pub use input::{Detail, Distribution, Input};
 pub use instrument::Instrument;
 pub(super) use parts::any_shape;
 pub use source::{Line, Source};
+pub use term::Term;
 
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
@@ -98,9 +100,6 @@ impl Budget {
     }
 }
 
-/// A result: a combination of base parameters, or a function at a coordinate.
-type Function<'a> = Option<(&'a Seen, f64)>;
-
 impl<'a> Sources<'a> {
     /// The sources of an estimate from `observations`, for errors within `limits`; `no_table` says that the known functions
     /// were taken as zero.
@@ -136,20 +135,36 @@ impl<'a> Sources<'a> {
 
     /// Of a base parameter, in the units inside.
     pub fn coefficient(&self, base: BaseId) -> Budget {
-        self.budget(&self.parts(&self.fit.coefficient(base), None))
+        self.budget(&self.parts(&self.fit.coefficient(base), &[]))
     }
 
     /// Of a function at a coordinate, mm or rad.
     pub fn function(&self, seen: &Seen, x: f64) -> Budget {
-        self.budget(&self.parts(&self.fit.functional(self.setup, seen.function(), x), Some((seen, x))))
+        self.sum(&[Term { factor: 1.0, seen, at: x }])
+    }
+
+    /// Of a sum of functions, correlations included.
+    pub fn sum(&self, terms: &[Term]) -> Budget {
+        self.budget(&self.parts(&self.functional(terms), terms))
+    }
+
+    /// The value of a sum of functions, mm or rad.
+    pub fn value(&self, terms: &[Term]) -> f64 {
+        self.functional(terms).dot(&self.fit.values)
     }
 
     /// The same, quantity by quantity, in a unit.
     pub fn detail(&self, seen: &Seen, x: f64, unit: Unit) -> Detail {
-        let functional = self.fit.functional(self.setup, seen.function(), x);
-        let parts = self.parts(&functional, Some((seen, x)));
+        let terms = [Term { factor: 1.0, seen, at: x }];
+        let functional = self.functional(&terms);
+        let parts = self.parts(&functional, &terms);
         let drawn = self.linearisation.on_machines(&functional);
         Detail::new(self.setup, &parts, self.degrees_of_freedom(), drawn, unit)
+    }
+
+    fn functional(&self, terms: &[Term]) -> DVector<f64> {
+        let own = |term: &Term| self.fit.functional_of(self.setup, term.seen, term.at) * term.factor;
+        terms.iter().map(own).fold(DVector::zeros(self.fit.base.len()), |sum, own| sum + own)
     }
 
     fn budget(&self, parts: &[Part]) -> Budget {
@@ -160,8 +175,9 @@ impl<'a> Sources<'a> {
         (f64::from(self.fit.degrees_of_freedom) / self.alike).max(1.0) as u32
     }
 
-    /// What each quantity puts into a result, source after source.
-    fn parts(&self, functional: &DVector<f64>, function: Function) -> Vec<Part> {
+    /// What each quantity puts into a result, source after source: a combination of base parameters, and of which functions it is the
+    /// sum, if it is one.
+    fn parts(&self, functional: &DVector<f64>, terms: &[Term]) -> Vec<Part> {
         let noise = (&self.fit.covariance * functional).dot(functional).max(0.0).sqrt() * self.alike.sqrt();
         let scatter = self.scatter * self.alike.sqrt();
         let dropped = std(&self.linearisation.parts, functional);
@@ -170,26 +186,26 @@ impl<'a> Sources<'a> {
             move |(error, effect): (ErrorId, f64)| Part::within(source, error, effect, self.limited.limit(error))
         };
         let ignored = |errors| self.ignored(errors, functional);
-        let assumed = self.limited.largest(&self.assumptions.sum(functional, function));
-        let confounded = function.map(|(seen, x)| self.limited.largest(&self.confounded(seen, x)));
+        let assumed = self.limited.largest(&self.assumptions.sum(functional, terms));
+        let confounded = self.limited.largest(&terms.iter().flat_map(|term| self.confounded(term)).collect());
         [part(Source::Noise, Of::Scatter, scatter, noise)]
             .into_iter()
             .chain(self.instrument.parts(functional))
-            .chain(self.lengths.parts(self.fit, functional, function))
+            .chain(self.lengths.parts(self.fit, functional, terms))
             .chain(self.tables.parts(functional))
             .chain(ignored(&self.without_table).into_iter().map(within(Source::Tables)))
             .chain(assumed.into_iter().chain(ignored(&self.zeros)).map(within(Source::Assumptions)))
             .chain([part(Source::Linearisation, Of::Dropped, dropped, dropped)])
-            .chain(confounded.into_iter().flatten().map(within(Source::Confounding)))
+            .chain(confounded.into_iter().map(within(Source::Confounding)))
             .collect()
     }
 
     /// What stands between a function and the sum it is seen in.
-    fn confounded(&self, seen: &Seen, x: f64) -> Sum {
+    fn confounded(&self, &Term { factor, seen, at: x }: &Term) -> Sum {
         let parameters = &self.setup.derivation.parameters;
         let others = seen.others(self.setup, x).into_iter().map(|(j, f)| (parameters[j].origin, f));
         let missing = seen.missing(self.setup, x).into_iter().map(|(c, f)| (Origin::Coefficient(c), f));
-        others.chain(missing).collect()
+        others.chain(missing).map(|(origin, f)| (origin, factor * f)).collect()
     }
 
     /// Motion errors that were left out, each with the most that a unit of it adds, of whatever shape is worst.

@@ -4,10 +4,11 @@
 mod added;
 mod comparison;
 pub mod design;
+pub mod positions;
 mod prediction;
 mod subset;
 
 pub use added::{Addition, additions};
 pub use comparison::{Compared, Comparison, Refusal, compare};
-pub use prediction::{Intended, Largest, Predicted, Prediction, predict, uniform_std};
+pub use prediction::{Intended, Largest, Predicted, Prediction, predict, predict_at, uniform_std};
 pub use subset::subset;

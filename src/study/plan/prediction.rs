@@ -4,8 +4,9 @@
 //! that of a fit of readings of zero with a known standard deviation.
 
 use crate::study::visited::{between, sweeps, visited};
-use crate::study::{EstimateError, Estimator, Seen, Setup, Told, Variance, fit_with};
+use crate::study::{EstimateError, Estimator, Observation, Seen, Setup, Told, Variance, fit_with};
 use trunnion_codegen::ids::{BaseId, FunctionId};
+use trunnion_codegen::quantity::{Quantity, Unit};
 use trunnion_solver::lstsq::student_t_95;
 
 /// Runs that are intended.
@@ -48,6 +49,19 @@ pub struct Predicted {
     pub told: Told,
 }
 
+impl Predicted {
+    /// Its valuation number where it is largest, for readings of a standard deviation in mm: what each µm of that makes of it, in µm or
+    /// degrees.
+    pub fn valuation(&self, setup: &Setup, sigma: f64) -> Option<(f64, Unit)> {
+        let unit = match setup.quantity(self.function) {
+            Quantity::Length => Unit::Um,
+            Quantity::Angle => Unit::Deg,
+        };
+        let of_one = Unit::Um.to_inner(1.0) / sigma;
+        self.largest.map(|largest| (unit.from_inner(largest.std * of_one), unit))
+    }
+}
+
 /// The largest uncertainty over the range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Largest {
@@ -68,11 +82,26 @@ const POINTS: usize = 360;
 /// [`EstimateError`] where such samples do not determine the base parameters.
 pub fn predict(setup: &Setup, intended: Intended, estimator: Estimator) -> Result<Prediction, EstimateError> {
     let observations = setup.unread(intended.samples, intended.range);
-    let fit = fit_with(setup, &observations, estimator, Variance::Known(intended.sigma))?;
+    predict_at(setup, &observations, &observations, intended.sigma, estimator)
+}
+
+/// What samples of the given places would give, with a standard deviation of a reading in mm; the functions are looked at where
+/// those of `along` go.
+///
+/// # Errors
+/// [`EstimateError`] where such samples do not determine the base parameters.
+pub fn predict_at(
+    setup: &Setup,
+    observations: &[Observation],
+    along: &[Observation],
+    sigma: f64,
+    estimator: Estimator,
+) -> Result<Prediction, EstimateError> {
+    let fit = fit_with(setup, observations, estimator, Variance::Known(sigma))?;
     let t = student_t_95::<f64>(fit.degrees_of_freedom);
     let function = |seen: &Seen| {
         let told = seen.told(setup);
-        let range = visited(setup, seen.function(), sweeps(&observations));
+        let range = visited(setup, seen.function(), sweeps(along));
         let points = range.into_iter().filter(|_| told.sum.is_some()).flat_map(|range| between(range, POINTS));
         let std = |x: f64| (x, fit.function(setup, seen.function(), x).1);
         let largest = points.map(std).max_by(|a, b| a.1.total_cmp(&b.1));

@@ -53,8 +53,8 @@ def run(program):
     mode(linuxcnc.MODE_MDI)
 
 
-def look(place):
-    mdi("G0 " + words("XYZAC", place))
+def look(axes, place):
+    mdi("G0 " + words(axes, place))
     pins = [f"joint.{joint}.motor-pos-cmd" for joint in range(5)], [f"sphere.0.off-{i}" for i in range(3)]
     joints, off = ([hal.get_value(pin) for pin in own] for own in pins)
     return {"place": place, "joints": joints, "off": off}
@@ -70,17 +70,18 @@ def main():
     command.home(-1)
     wait_for(lambda: all(status.homed[:5]), "home", 30)
     for name, value in job["hal"].items():
-        hal.set_p(name, repr(value))
+        # An integer takes no point.
+        hal.set_p(name, f"{value:.17g}")
     mode(linuxcnc.MODE_MDI)
-    mdi("G21 G90 G61 G94 G49 G10 L2 P1 " + words("XYZAC", job["zero"] + [0, 0]))
+    mdi("G21 G90 G61 G94 G49 G10 L2 P1 " + words(job["axes"], job["zero"] + [0, 0]))
     mdi("G54")
     for program in job["programs"]:
         run(program)
     aside = [0, 0, 0]
     if job["at-sphere"]:
         # The tip is set to the sphere's centre with both axes at zero, as one sets a work offset.
-        aside = look(job["places"][0])["off"]
-    seen = [look([at - off for at, off in zip(place, aside)] + place[3:]) for place in job["places"]]
+        aside = look(job["axes"], job["places"][0])["off"]
+    seen = [look(job["axes"], [at - off for at, off in zip(place, aside)] + place[3:]) for place in job["places"]]
     with open("result.json", "w") as file:
         json.dump(seen, file)
 

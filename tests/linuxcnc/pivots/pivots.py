@@ -1,39 +1,28 @@
 #!/usr/bin/python3
-"""A cradle's pivots on LinuxCNC: probed, put in, and what remains; each check beside one that must fail."""
+"""A cradle's pivots on LinuxCNC: probed, put in, and what remains; each check beside one that must fail.
+
+pivots.py MODEL [SEED], where MODEL.toml is
+"""
 
 import json
 import math
-import random
 import re
 import subprocess
 import sys
 from pathlib import Path
 
+from cradle import CRADLES, LENGTHS, SCALE, ZERO
 from ini import ini
 
 HERE = Path(__file__).resolve().parent
 TRUNNION = str(HERE / "trunnion")
-MODEL = "ac-trunnion-probe"
-KINEMATICS = "xyzac-trt-kins"
-# Where the cradle is nominally, mm.
-ZERO = [20.0, -35.0, -110.0]
-LENGTHS = {"L": 150.0, "H": 80.0}
-POSITIONS = 8
+CRADLE = CRADLES[sys.argv[1]]
+KINEMATICS = CRADLE.kinematics
+# Of all runs.
+POSITIONS = 24
 # mm.
 TOUCH = 15.0
-# The equator is measured along Y, the top along Z: their scales differ by twice this at most, over the radius of a touch.
-SCALE = 2e-5
 LIMITS = ["--length-um", "500", "--angle-urad", "200", "--instrument-um", str(1e3 * TOUCH * 2 * SCALE)]
-POSES = [(0, 0), (-60, 0), (30, 0), (0, 90), (0, 200), (-90, 120), (-45, -60), (20, 45)]
-FOUND = ["EY0A", "EZ0A", "EB0A", "EC0A", "EX0C", "EY0C", "EA0C", "EB0C"]
-
-
-def machine(seed):
-    """Errors of a machine: pivots off by tenths, everything else by what a machine has; mm and rad."""
-    draw = random.Random(seed).uniform
-    lengths = {name: draw(-0.3, 0.3) for name in ("ey0a", "ez0a", "ex0c", "ey0c")}
-    angles = {name: draw(-1e-4, 1e-4) for name in ("eb0a", "ec0a", "ea0c", "eb0c", "ec0y", "eb0z", "ea0z")}
-    return lengths | angles | {f"scale-{i}": draw(-SCALE, SCALE) for i in range(3)}
 
 
 def trunnion(*arguments):
@@ -50,20 +39,20 @@ def session(name, kinematics, plant, pins={}, programs=(), places=(), at_sphere=
     for file in ("drive.py", "machine.hal"):
         (folder / file).write_text((HERE / file).read_text())
     (folder / "drive.py").chmod(0o755)
-    (folder / "machine.ini").write_text(ini(kinematics))
+    (folder / "machine.ini").write_text(ini(kinematics, CRADLE.axes))
     (folder / "tool.tbl").write_text("T1 P1 Z0\n")
     for program in programs:
         text = Path(program).read_text()
         # Nobody waits for a probe here.
-        for feed, mm in (("fast", 1500), ("slow", 60), ("clear", 2)):
-            text = re.sub(rf"^#<_{feed}> = [\d.]+", f"#<_{feed}> = {mm}", text, flags=re.M)
+        for name, mm in (("fast", 3000), ("slow", 60), ("clear", 2), ("back", 0.2)):
+            text = re.sub(rf"^#<_{name}> = [\d.]+", f"#<_{name}> = {mm}", text, flags=re.M)
         (folder / Path(program).name).write_text(text)
     # Where nothing is probed the tip is put into the sphere, which must not be a touch.
     sphere = {f"zero-{i}": ZERO[i] for i in range(3)} | plant | {"touch-mm": TOUCH if programs else 0}
     hal = {f"sphere.0.{name}": float(value) for name, value in sphere.items()}
     hal |= {f"{KINEMATICS}.{name}": float(value) for name, value in pins.items()}
     names = [Path(program).name for program in programs]
-    job = {"hal": hal, "zero": ZERO, "programs": names, "at-sphere": at_sphere}
+    job = {"hal": hal, "zero": ZERO, "programs": names, "at-sphere": at_sphere, "axes": CRADLE.axes}
     job["places"] = [list(map(float, place)) for place in places]
     (folder / "job.json").write_text(json.dumps(job))
     with open(folder / "log", "w") as log:
@@ -73,17 +62,12 @@ def session(name, kinematics, plant, pins={}, programs=(), places=(), at_sphere=
     return json.loads((folder / "result.json").read_text())
 
 
-def pins():
-    """What xyzac-trt-kins is told of a cradle as it was designed."""
-    return {"x-rot-point": ZERO[0], "y-rot-point": ZERO[1], "z-rot-point": ZERO[2], "y-offset": 0.0}
-
-
-def exported(*options):
-    """What `trunnion pivots` writes for it, from what it is told now."""
-    now = [word for name, value in pins().items() for word in ("--pin", f"{name}={value}")]
-    trunnion("pivots", "plan", *LIMITS, "--format", "linuxcnc", *now, "--out", "pivots.hal", "--force")
+def exported():
+    """The pins that `trunnion pivots` writes, from what they are told now, and what it says of each; mm."""
+    now = [word for name, value in CRADLE.designed().items() for word in ("--pin", f"{name}={value}")]
+    said = json.loads(trunnion("pivots", "plan", *LIMITS, "--format", "linuxcnc", *now, "--out", "pivots.hal", "--json"))
     lines = re.findall(rf"^setp {KINEMATICS}[.](\S+) (\S+)$", Path("pivots.hal").read_text(), re.M)
-    return {name: float(value) for name, value in lines}
+    return {name: float(value) for name, value in lines}, {pin["name"]: 1e-3 * pin["u95"] for pin in said["pins"]}
 
 
 def apart(seen, right):
@@ -98,37 +82,41 @@ def check(what, holds):
         raise SystemExit(1)
 
 
-def main():
-    ball = [0.0, LENGTHS["L"], LENGTHS["H"]]
-    places = [[*ball, a, c] for a, c in POSES]
+def senses():
+    """Which way this version turns the table about the axis that tilts, and about C: where does the tool go to follow a point of it?"""
+    straight = {f"ball-{i}": CRADLE.ball[i] for i in range(3)}
+    # Of x by C, and of the coordinate beside the axis that tilts: along y by A to z, along x by B to -z.
+    beside = [0.0, 100.0, 0.0] if CRADLE.about == 0 else [100.0, 0.0, 0.0]
+    places = [[*beside, 0, 0], [*beside, 10, 0], [100, 0, 0, 0, 0], [100, 0, 0, 0, 10]]
+    still, tilted, begin, turned = (
+        own["joints"] for own in session("sense", KINEMATICS, straight, CRADLE.designed(), places=places)
+    )
+    by = 100 * math.sin(math.radians(10))
+    moved = (tilted[2] - still[2]) / by * (1 if CRADLE.about == 0 else -1), (turned[1] - begin[1]) / by
+    check(f"{KINEMATICS} turns the table by as much as told", all(abs(abs(own) - 1) < 1e-3 for own in moved))
+    return [round(own) for own in moved]
 
-    # Which way this version turns the table: where does the tool go to follow a point of it?
-    straight = {f"ball-{i}": ball[i] for i in range(3)}
-    probe = [[100, 0, 0, 0, 0], [100, 0, 0, 0, 10]]
-    seen = session("sense", KINEMATICS, straight, pins(), places=probe)
-    moved = seen[1]["joints"][1] - seen[0]["joints"][1]
-    sense = round(moved / (100 * math.sin(math.radians(10))))
-    check(f"{KINEMATICS} turns the table about C by as much as told", abs(sense) == 1)
-    print(f"{KINEMATICS} turns the table {'right' if sense > 0 else 'left'}-handed for positive angles")
 
-    truth = machine(int(sys.argv[1]) if len(sys.argv) > 1 else 2026)
-    # The sphere is set up by hand.
-    plant = straight | {f"ball-{i}": ball[i] + off for i, off in enumerate((0.21, -0.17, 0.12))}
-    plant |= truth | {"sense": sense}
-    ideal = plant | dict.fromkeys(("ey0a", "ez0a", "ex0c", "ey0c"), 0.0)
-
-    model = Path("model.toml")
-    text = (HERE / f"{MODEL}.toml").read_text()
-    if sense < 0:
-        text = text.replace('rotary = "x"', 'rotary = "-x"').replace('rotary = "z"', 'rotary = "-z"')
-    model.write_text(text)
+def probed(sense, plant):
+    """The folder `plan` as `trunnion new` makes it, with what the programs find on the control."""
+    model, text = Path("model.toml"), (HERE / f"{CRADLE.model}.toml").read_text()
+    # A table that turns the other way has another model; each is one.
+    for mirrored in ((-1, 1), (1, -1), (-1, -1)):
+        model.write_text(CRADLE.handed(text, mirrored))
+        trunnion("derive", str(model))
+    model.write_text(CRADLE.handed(text, sense))
     lengths = [word for name, mm in LENGTHS.items() for word in ("--set", f"{name}={mm}")]
-    trunnion("new", str(model), *lengths, "--positions", str(POSITIONS), "--touch-mm", str(TOUCH), "--out", "plan")
-    runs = ["a", "c", "c-tilted"]
-    session("probing", f"trivkins coordinates=XYZAC", plant, programs=[f"plan/{run}.linuxcnc.ngc" for run in runs])
+    trunnion("plan", str(model), *lengths, "--positions", str(POSITIONS), "--in-all", "--out", "positions.toml")
+    trunnion("new", str(model), *lengths, "--at", "positions.toml", "--touch-mm", str(TOUCH), "--out", "plan")
+    runs = [CRADLE.tilting.lower(), "c", "c-tilted"]
+    programs = [f"plan/{run}.linuxcnc.ngc" for run in runs]
+    session("probing", f"trivkins coordinates={CRADLE.axes}", plant, programs=programs)
     for run in runs:
         Path(f"plan/{run}.csv").write_text(Path(f"probing/{run}.csv").read_text())
 
+
+def fitted(truth):
+    """What a fit has found of the plant's errors: its expanded uncertainties, mm and rad."""
     fit = json.loads(trunnion("fit", "plan", *LIMITS, "--json"))
     unit = {"um": 1e-3, "urad": 1e-6}
     found, stated = {}, {}
@@ -137,22 +125,47 @@ def main():
         found[function["name"]] = point["value"] * unit[function["unit"]]
         stated[function["name"]] = point["u95"] * unit[function["unit"]]
     print("| location error | of the plant | found | ± (95 %) |\n|---|---:|---:|---:|")
-    for name in FOUND:
+    for name in CRADLE.errors:
         scale, symbol = (1e3, "µm") if name[1] in "XYZ" else (1e6, "µrad")
-        of, at, u = (value[key] * scale for value, key in ((truth, name.lower()), (found, name), (stated, name)))
+        of, at, u = (value[name] * scale for value in (truth, found, stated))
         print(f"| {name} | {of:.2f} {symbol} | {at:.2f} | {u:.2f} |")
-    within = [abs(found[name] - truth[name.lower()]) / stated[name] for name in FOUND]
+    within = [abs(found[name] - truth[name]) / stated[name] for name in CRADLE.errors]
     # 95 % each: of eight, five at least, and none beyond twice that.
     check("what is found is the plant's within what is stated", sum(w <= 1 for w in within) >= 5 and max(within) <= 2)
+    return stated
+
+
+def main():
+    sense = senses()
+    hand = lambda own: "right" if own > 0 else "left"
+    print(f"{KINEMATICS} turns {hand(sense[0])}-handed about {CRADLE.tilting}, {hand(sense[1])}-handed about C")
+
+    truth, others = CRADLE.machine(int(sys.argv[2]) if len(sys.argv) > 2 else 2026)
+    # The sphere is set up by hand.
+    ball = {f"ball-{i}": CRADLE.ball[i] + off for i, off in enumerate((0.21, -0.17, 0.12))}
+    plant = ball | CRADLE.plant(truth, others, sense)
+    probed(sense, plant)
+    stated = fitted(truth)
+
+    new, u95 = exported()
+    right = CRADLE.right(truth)
+    print("| added to a pin | for this plant | found | ± (95 %) |\n|---|---:|---:|---:|")
+    for name, value in new.items():
+        of, at = (1e3 * (own - CRADLE.designed()[name]) for own in (right[name], value))
+        print(f"| {name} | {of:.2f} µm | {at:.2f} | {1e3 * u95[name]:.2f} |")
+    check("each pin is the plant's within what is stated of it", all(abs(new[p] - right[p]) <= 2 * u95[p] for p in new))
 
     # The axes' directions, which these kinematics have no pins for, are off in all four.
-    right = session("right", KINEMATICS, ideal, pins(), places=places, at_sphere=True)
-    control = lambda name, pins: apart(session(name, KINEMATICS, plant, pins, places=places, at_sphere=True), right)
-    new = exported()
-    before, after = control("before", pins()), control("after", new)
-    turned = control("turned", {name: 2 * value - new[name] for name, value in pins().items()})
+    straight = {name: value for name, value in truth.items() if name[1] not in "XYZ"}
+    ideal = ball | CRADLE.plant(dict.fromkeys(truth, 0.0) | straight, others, sense)
+    places = [[*CRADLE.ball, *pose] for pose in CRADLE.poses]
+    tip = lambda name, plant, pins: session(name, KINEMATICS, plant, pins, places=places, at_sphere=True)
+    begin = tip("right", ideal, CRADLE.designed())
+    control = lambda name, pins: apart(tip(name, plant, pins), begin)
+    before, after = control("before", CRADLE.designed()), control("after", new)
+    turned = control("turned", {name: 2 * value - new[name] for name, value in CRADLE.designed().items()})
     # A turn by 180 degrees doubles what a pivot is off by.
-    bound = 2 * math.hypot(*(stated[name] for name in ("EY0A", "EZ0A", "EX0C", "EY0C")))
+    bound = 2 * math.hypot(*(stated[name] for name in CRADLE.errors if name[1] in "XYZ"))
     accepted = lambda left: left <= bound
     print("| pins | the tip wanders by, at most |\n|---|---:|")
     for what, left in (("as designed", before), ("as found", after), ("as found, the sign turned", turned)):

@@ -12,4 +12,4 @@ pub use choices::{Choices, with_runs};
 pub use pool::{Measured, Pool};
 pub use proposal::{Asked, Design, DesignError, Proposal, Reachable, design, estimated};
 pub use recommended::{Recommended, recommended};
-pub use search::{Enough, Next, Within, fewest, share};
+pub use search::{Enough, Next, Within, fewest, grade, share};

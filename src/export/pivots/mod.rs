@@ -1,0 +1,9 @@
+//! Where the rotary axes are, as a control takes it: from location errors that were estimated.
+
+mod linuxcnc;
+mod located;
+mod sinumerik;
+
+pub use linuxcnc::{NoPivots, Pin, Pins, pins};
+pub use located::{Estimate, Located};
+pub use sinumerik::{Chained, chain, text as chain_text};
