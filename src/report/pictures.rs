@@ -38,7 +38,7 @@ pub(super) fn fit(report: &Report) -> Result<Value, PlotError> {
 ///
 /// # Errors
 /// [`PlotError`]
-pub fn picture_files(report: &Report) -> Result<Files, PlotError> {
+pub fn picture_files(report: &Report) -> Result<Files<'static>, PlotError> {
     let mut files = Files::default();
     for (index, (name, ..)) in report.runs.iter().enumerate() {
         let titles = ["readings", "residuals", "residuals"].map(|what| format!("{name}: {what}"));
