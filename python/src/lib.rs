@@ -7,6 +7,7 @@ mod factor;
 mod fit;
 mod model;
 mod object;
+mod positions;
 mod setup;
 mod simulated;
 mod table;

@@ -5,6 +5,7 @@ use crate::errors::{self, Class};
 use crate::fit::Fit;
 use crate::model::{Derivation, Model};
 use crate::object::object;
+use crate::positions::Wanted;
 use crate::simulated::Simulated;
 use crate::table::{Given, array, complete};
 use numpy::{PyArray2, PyArrayMethods};
@@ -284,6 +285,23 @@ impl Setup {
         let estimator = self::estimator(estimator)?;
         let predicted = py.detach(|| predict(&self.setup, intended, estimator));
         object(py, &document::prediction(&self.setup, &predicted.map_err(|e| errors::estimate(&e))?))
+    }
+
+    /// The positions at which runs are best stopped (`count` of each run, or `in_all`; or the fewest that are `within`, µm or µrad, 95 %
+    /// from noise), for all functions or some, beside as many spread evenly: `trunnion plan --positions`.
+    #[pyo3(signature = (count=None, *, in_all=false, functions=None, within=None, step_deg=5.0, noise_um=0.1))]
+    #[expect(clippy::too_many_arguments, reason = "keywords")]
+    fn positions<'py>(
+        &self,
+        py: Python<'py>,
+        count: Option<usize>,
+        in_all: bool,
+        functions: Option<Vec<String>>,
+        within: Option<Vec<f64>>,
+        step_deg: f64,
+        noise_um: f64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &Wanted { count, in_all, functions, within, step_deg, noise_um }.propose(py, &self.setup)?)
     }
 
     /// How large the error of each estimated function gets over many drawn machines: for each its distribution, from noise, from

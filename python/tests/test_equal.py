@@ -99,6 +99,14 @@ def test_monte_carlo_and_plan(command: Command, setup: trunnion.Setup) -> None:
     assert trunnion.Model.from_catalogue("rotary-table-c").plan(["ECC"], within=[2.0], samples=90) == printed
 
 
+def test_positions(command: Command) -> None:
+    setup = trunnion.Setup.from_catalogue("ac-trunnion-probe")
+    printed = command.json("plan", "ac-trunnion-probe", "--positions", 20, "--in-all", "--for", "EX0C,EA0C", "--step-deg", 30)
+    assert setup.positions(20, in_all=True, functions=["EX0C", "EA0C"], step_deg=30.0) == printed
+    printed = command.json("plan", "ac-trunnion-probe", "--positions", "fewest", "--within", 3, "--step-deg", 30)
+    assert setup.positions(within=[3.0], step_deg=30.0) == printed
+
+
 def test_poses(command: Command) -> None:
     random = np.random.default_rng(5)
     points = random.uniform([-200.0, -200.0, -200.0], [200.0, 200.0, -100.0], (200, 3))

@@ -123,6 +123,16 @@ class Setup:
         range_deg: tuple[float, float] | None = None,
         estimator: _Estimator = "joint",
     ) -> dict[str, Any]: ...
+    def positions(
+        self,
+        count: int | None = None,
+        *,
+        in_all: bool = False,
+        functions: Sequence[str] | None = None,
+        within: Sequence[float] | None = None,
+        step_deg: float = 5.0,
+        noise_um: float = 0.1,
+    ) -> dict[str, Any]: ...
     def monte_carlo(
         self,
         *,

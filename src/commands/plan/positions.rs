@@ -114,16 +114,10 @@ impl PositionArguments {
                 let told = "no --within\n  expected what the expanded uncertainties may be, for example --within 2";
                 Err(Refused::Option("positions", "fewest".to_owned(), told))
             }
-            (Wanted::Fewest, within) if within.len() == 1 || within.len() == functions.len() => {
-                let unit = |f: &FunctionId| setup.quantity(*f).deviation();
-                let own =
-                    functions.iter().enumerate().filter_map(|(i, f)| Some((f, within.get(i).or(within.first())?)));
-                Ok(Count::Fewest(own.map(|(f, within)| unit(f).to_inner(*within)).collect()))
-            }
-            (Wanted::Fewest, within) => {
+            (Wanted::Fewest, within) => Count::fewest(setup, functions, within).ok_or_else(|| {
                 let given = within.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
-                Err(Refused::Within(given, functions.len()))
-            }
+                Refused::Within(given, functions.len())
+            }),
         }
     }
 

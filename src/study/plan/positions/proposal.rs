@@ -35,6 +35,19 @@ pub enum Count {
     Fewest(Vec<f64>),
 }
 
+impl Count {
+    /// The fewest that make each function as certain as `within` (µm or µrad) says: one number for all, or one for each; none of
+    /// another number of them.
+    pub fn fewest(setup: &Setup, functions: &[FunctionId], within: &[f64]) -> Option<Self> {
+        let fits = within.len() == functions.len() || within.len() == 1;
+        let own = |(i, f): (usize, &FunctionId)| {
+            let within = within.get(i).or(within.first())?;
+            Some(setup.quantity(*f).deviation().to_inner(*within))
+        };
+        fits.then(|| Self::Fewest(functions.iter().enumerate().filter_map(own).collect()))
+    }
+}
+
 /// Why nothing is proposed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
