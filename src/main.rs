@@ -3,9 +3,9 @@
 mod commands;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use commands::output::{OutputError, say};
+use commands::output::{output, say};
 use commands::seen;
-use std::io::{self, Write};
+use std::io::{StdoutLock, Write};
 use std::process::ExitCode;
 use trunnion::data::discard_staged;
 
@@ -108,12 +108,20 @@ fn shown(told: &clap::Error) -> ExitCode {
         say(format_args!("{}", seen(&told.to_string())));
         return ExitCode::from(2);
     }
-    let printed = told.print().and_then(|()| io::stdout().flush());
-    match printed {
-        Err(e) if !told.use_stderr() => {
-            say(format_args!("error: {}", OutputError::from(e)));
+    let code = ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2));
+    if told.use_stderr() {
+        let _ = told.print();
+        return code;
+    }
+    let print = |mut out: StdoutLock<'_>| {
+        told.print()?;
+        Ok(out.flush()?)
+    };
+    match output().and_then(print) {
+        Err(e) => {
+            say(format_args!("error: {e}"));
             ExitCode::from(2)
         }
-        _ => ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2)),
+        Ok(()) => code,
     }
 }

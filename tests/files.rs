@@ -172,6 +172,18 @@ mod unix {
             &run(at, &["exechon", "ik", "p.csv", "--svg", "/dev/full"]),
             "/dev/full: cannot be written: no storage",
         );
+        let closed = |arguments: &str, to: &str| {
+            let script = format!("exec '{}' {arguments} {to}", env!("CARGO_BIN_EXE_trunnion"));
+            Command::new("sh").current_dir(at).args(["-c", &script]).output().unwrap()
+        };
+        for arguments in ["models", "exechon ik p.csv", "--help", "derive tilting-table-a"] {
+            refused(&closed(arguments, ">&-"), "standard output: closed");
+            refused(&closed(arguments, ">&- <&-"), "standard output: closed");
+            for open in [">/dev/null", "1<>/dev/null", ">/dev/null <&-"] {
+                assert!(closed(arguments, open).status.success(), "{arguments} {open}");
+            }
+        }
+        assert!(closed("exechon ik p.csv --wrong", ">&-").stderr.starts_with(b"error: unexpected argument"));
         // Nowhere to say it: still no panic, which has exit code 101.
         let mut silent = command(at, &["models"]);
         silent.stdout(File::create("/dev/full").unwrap()).stderr(File::create("/dev/full").unwrap());

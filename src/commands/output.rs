@@ -3,19 +3,41 @@
 use clap::Args;
 use std::fmt::Display;
 use std::fs::File;
-use std::io::{self, BufWriter, Read, Seek, Write};
+use std::io::{self, BufWriter, Read, Seek, StdoutLock, Write};
+#[cfg(unix)]
+use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use thiserror::Error;
 use trunnion::data::{Guard, WriteError, remedy, write_picture};
 
 /// Why standard output does not take what is shown.
 #[derive(Debug, Error)]
-#[error("standard output: {kind}\n  {remedy}", kind = .0.kind(), remedy = remedy(.0.kind()))]
-pub struct OutputError(#[from] io::Error);
+pub enum OutputError {
+    #[error("standard output: closed\n  expected one that is open: `> /dev/null` where nobody looks")]
+    Closed,
+    #[error("standard output: {kind}\n  {remedy}", kind = .0.kind(), remedy = remedy(.0.kind()))]
+    Refused(#[from] io::Error),
+}
+
+/// Whether standard output was closed when the program was called.
+static CLOSED: AtomicBool = AtomicBool::new(false);
+
+/// Before `main`, where /dev/null is not in its place yet: what is closed cannot be doubled.
+#[cfg(unix)]
+#[ctor::ctor]
+fn look() {
+    CLOSED.store(io::stdout().as_fd().try_clone_to_owned().is_err(), Ordering::Relaxed);
+}
+
+/// Standard output.
+pub fn output() -> Result<StdoutLock<'static>, OutputError> {
+    if CLOSED.load(Ordering::Relaxed) { Err(OutputError::Closed) } else { Ok(io::stdout().lock()) }
+}
 
 /// Writes a finished document to standard output.
 pub fn print(text: &str) -> Result<(), OutputError> {
-    let mut out = io::stdout().lock();
+    let mut out = output()?;
     out.write_all(text.as_bytes())?;
     Ok(out.flush()?)
 }
@@ -60,7 +82,7 @@ impl Spool {
     pub fn show(self) -> Result<(), OutputError> {
         let mut store = self.lines.into_inner().map_err(io::IntoInnerError::into_error)?;
         store.rewind()?;
-        let mut out = io::stdout().lock();
+        let mut out = output()?;
         io::copy(&mut store, &mut out)?;
         Ok(out.flush()?)
     }
