@@ -1,19 +1,10 @@
 //! What has changed between reports, held against differences worked out here.
 
+mod program;
+
+use program::{succeeds, trunnion};
 use serde_json::{Value, json};
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
-
-fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
-
-fn succeeds(directory: &Path, arguments: &[&str]) -> String {
-    let output = trunnion(directory, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
 
 /// A report of one function at 73 points, by its value and uncertainty there.
 fn report(date: &str, value: impl Fn(f64) -> f64, u95: f64) -> String {

@@ -1,20 +1,12 @@
 //! Where the rotary axes are: probing programs, location errors, and what controls take.
 
+mod program;
+
+use program::{succeeds, trunnion};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
-
-fn succeeds(directory: &Path, arguments: &[&str]) -> String {
-    let output = trunnion(directory, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
 
 fn refused(directory: &Path, arguments: &[&str]) -> String {
     let output = trunnion(directory, arguments);

@@ -1,20 +1,11 @@
 //! A measurement described by a project file, with the program as its user meets it.
 
+mod program;
+
+use program::{succeeds, trunnion};
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 use tempfile::TempDir;
-
-fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
-
-fn succeeds(directory: &Path, arguments: &[&str]) -> String {
-    let output = trunnion(directory, arguments);
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {told}");
-    String::from_utf8(output.stdout).unwrap()
-}
 
 fn refused(directory: &Path, arguments: &[&str]) -> String {
     let output = trunnion(directory, arguments);

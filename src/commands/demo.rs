@@ -43,8 +43,8 @@ impl DemoArguments {
             limits: ErrorLimits::scaled(30.0, 100.0),
             range_deg: (0.0, 360.0),
         };
-        let simulated = simulation.measure(&setup);
-        let observations = &simulated.observations.raw;
+        let drawn = simulation.draw(&setup);
+        let observations = &drawn.observations().raw;
         let mut out = String::from("1. The equations, derived from the machine's description\n\n");
         out += &equations::text(&setup.model, &setup.derivation);
         let _ = write!(
@@ -55,7 +55,7 @@ impl DemoArguments {
         for estimator in [Estimator::Joint, Estimator::TwoStep] {
             let fitted = fit(&setup, observations, estimator)?;
             let report = report(&setup, observations, &fitted, ErrorLimits::PAPER, &Instrument::default(), false)?;
-            let recovery = recovery(&setup, &simulated.machine, &fitted, &report);
+            let recovery = recovery(&setup, &drawn.machine, &fitted, &report);
             reports.push((report, recovery));
         }
         out += &recovered(&reports);
@@ -67,7 +67,6 @@ impl DemoArguments {
         let studies = monte_carlo::watched(&setup, simulation.draws(TRIALS), Drawn::Machines, &estimators)?;
         out += &monte_carlo::text(&setup, TRIALS, Drawn::Machines, &studies);
         let figures = figures(&setup, observations, &reports)?;
-        let drawn = simulation.draw(&setup);
         let files = simulation_files(&setup, &drawn, &self.out, figures)?;
         files.write(&self.out, &Guard { inputs: Vec::new(), force: self.force })?;
         let _ = write!(

@@ -6,7 +6,7 @@
 //! ```
 
 use super::limits::MOST_POSITIONS;
-use crate::study::{Measurement, OutOfRange, Setup};
+use crate::study::{Measurement, OutOfRange, Setup, decimal};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -135,5 +135,5 @@ pub fn positions_text(comment: &str, measurements: &[Measurement], positions: &[
 
 /// As it was chosen, without what the conversions have added.
 pub fn degrees(sweep: f64) -> f64 {
-    (sweep.to_degrees() * 1e9).round() / 1e9 + 0.0
+    decimal(sweep.to_degrees())
 }

@@ -1,5 +1,6 @@
 //! The coordinates of a table: equal steps from one end to the other.
 
+use crate::study::decimal;
 use thiserror::Error;
 
 /// Rows of a table, at most: more than any control takes.
@@ -108,10 +109,4 @@ impl Grid {
     fn at(&self, row: usize) -> f64 {
         decimal(self.from + self.step * row as f64)
     }
-}
-
-/// Without what a sum of steps has added to a decimal fraction.
-fn decimal(x: f64) -> f64 {
-    // No negative zero.
-    (x * 1e9).round() / 1e9 + 0.0
 }

@@ -1,7 +1,7 @@
 //! The project file.
 
 use super::Planned;
-use crate::study::coordinate;
+use crate::study::{coordinate, decimal};
 use std::fmt::Write;
 use trunnion_codegen::model::{Axis, key, string};
 
@@ -42,8 +42,7 @@ pub fn project(planned: &Planned) -> String {
 fn range(axis: &Axis) -> String {
     let unit = coordinate(axis).coordinate();
     let (mark, [low, high]) = match axis.range {
-        // As it was written, without what the conversions have added.
-        Some(range) => ("", range.map(|end| (unit.from_inner(end) * 1e9).round() / 1e9)),
+        Some(range) => ("", range.map(|end| decimal(unit.from_inner(end)))),
         None if unit.suffix() == "deg" => ("# ", [-30.0, 120.0]),
         None => ("# ", [-250.0, 250.0]),
     };

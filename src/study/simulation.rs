@@ -6,6 +6,7 @@ use super::limits::ErrorLimits;
 use super::monte_carlo::Draws;
 use super::setup::Setup;
 use super::simulate::{grid, step};
+use super::visited::decimal;
 use chacha20::ChaCha8Rng;
 use core::convert::Infallible;
 use rand::{RngExt, SeedableRng};
@@ -75,7 +76,7 @@ impl Simulation {
     fn sweeps(&self, setup: &Setup, run: RunId) -> impl Iterator<Item = f64> + Clone + use<> {
         let (first, end) = setup.sweep_range(run, self.range());
         // In degrees, so that whole ones stay whole.
-        let degrees = |rad: f64| (rad.to_degrees() * 1e9).round() / 1e9;
+        let degrees = |rad: f64| decimal(rad.to_degrees());
         let whole = (first, end) == self.range();
         let range = if whole { self.range_deg } else { (degrees(first), degrees(end)) };
         let (samples, length) = (self.samples, self.length(setup, run));
@@ -115,15 +116,7 @@ impl Simulation {
     /// Draws a machine and measures it.
     pub fn measure(&self, setup: &Setup) -> Simulated {
         let drawn = self.draw(setup);
-        let observe = |run| {
-            let mut samples = Vec::with_capacity(self.length(setup, run));
-            let Ok(()) = drawn.each(run, |sample| {
-                samples.push(sample);
-                Ok::<(), Infallible>(())
-            });
-            Observation { run, weight: 1.0, samples }
-        };
-        let observations = setup.model.runs.keys().map(observe).collect();
+        let observations = drawn.observations();
         Simulated { machine: drawn.machine, observations }
     }
 }
@@ -153,5 +146,18 @@ impl DrawnMachine<'_> {
             let observed = self.setup.observe(run, &exact, &block, &self.machine, &mut noise);
             observed.samples.into_iter().try_for_each(&mut each)?;
         }
+    }
+
+    /// All runs, their samples kept.
+    pub fn observations(&self) -> TiVec<RunId, Observation> {
+        let observe = |run| {
+            let mut samples = Vec::with_capacity(self.simulation.length(self.setup, run));
+            let Ok(()) = self.each(run, |sample| {
+                samples.push(sample);
+                Ok::<(), Infallible>(())
+            });
+            Observation { run, weight: 1.0, samples }
+        };
+        self.setup.model.runs.keys().map(observe).collect()
     }
 }

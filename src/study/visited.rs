@@ -44,3 +44,9 @@ pub fn marks((low, high): (f64, f64), unit: Unit) -> Vec<f64> {
     let (first, last) = (((low - slack) / step).ceil() as i64, ((high + slack) / step).floor() as i64);
     (first..=last).map(|i| i as f64 * step).collect()
 }
+
+/// A coordinate in its unit, without what conversions and sums of steps have added to a decimal fraction.
+pub fn decimal(x: f64) -> f64 {
+    // No negative zero.
+    (x * 1e9).round() / 1e9 + 0.0
+}

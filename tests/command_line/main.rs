@@ -2,11 +2,14 @@
 
 mod bad_input;
 mod catalogue;
+#[path = "../program/mod.rs"]
+mod program;
 
+use program::{succeeds, trunnion};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 use tempfile::TempDir;
 
 const MODEL: &str = "tilting-table-a";
@@ -14,20 +17,8 @@ const FIT: [&str; 5] = ["fit", MODEL, "--radius", "150", "--json"];
 const RUNS: [&str; 4] = ["--run", "tilting=tilting.csv", "--run", "separation=separation.csv"];
 const TABLE: [&str; 2] = ["--table", "table.csv"];
 
-/// Runs the program in a directory, so that messages name files without it.
-fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
-
 fn text(bytes: &[u8]) -> &str {
     str::from_utf8(bytes).unwrap()
-}
-
-/// Standard output of a run that has to succeed.
-fn succeeds(directory: &Path, arguments: &[&str]) -> String {
-    let output = trunnion(directory, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
-    text(&output.stdout).to_owned()
 }
 
 fn object(text: &str) -> Value {

@@ -1,6 +1,6 @@
 //! Tests of Ballbar 20, written by hand from what is known of their form.
 
-use super::{alike, fitted, good, number, object, object_of_fit, reference, refused, samples};
+use super::{alike, fitted, number, object, object_of_fit, reference, refused, samples, succeeds};
 use std::fmt::Write;
 use std::fs;
 
@@ -70,7 +70,7 @@ fn both_units_and_both_directions_are_read() {
             Run { direction: "CCW", readings: in_unit(&um), features: Vec::new() },
         ];
         fs::write(at.join("test.b5r"), document("XY 360deg 150mm", "XY", 150.0, &runs)).unwrap();
-        let told = object(&good(at, &["import", "test.b5r", "--out", unit, "--angle", "c", "--json"]));
+        let told = object(&succeeds(at, &["import", "test.b5r", "--out", unit, "--angle", "c", "--json"]));
         let file = &told["files"][0];
         let said =
             ["test", "instrument", "serial_number", "machine", "operator", "started", "plane"].map(|key| &file[key]);
@@ -117,12 +117,12 @@ fn a_circular_test_is_that_of_its_imported_runs() {
         |direction, readings: &[f64]| Run { direction, readings: readings.to_vec(), features: circularity(width) };
     let pair = [run("CW", &back), run("CCW", &um)];
     fs::write(at.join("test.b5r"), document("ZX 360deg 100mm", "ZX", 100.0, &pair)).unwrap();
-    let told = object(&good(at, &["circular", "test.b5r", "--json"]));
-    good(at, &["import", "test.b5r", "--out", "."]);
+    let told = object(&succeeds(at, &["circular", "test.b5r", "--json"]));
+    succeeds(at, &["import", "test.b5r", "--out", "."]);
     let parts = ["--cw", "test-cw.csv", "--ccw", "test-ccw.csv", "--radius", "100", "--plane", "ZX", "--feed", "1500"];
-    alike(&told, &object(&good(at, &[&["circular", "--json"][..], &parts].concat())), 1e-9);
+    alike(&told, &object(&succeeds(at, &[&["circular", "--json"][..], &parts].concat())), 1e-9);
     // What is stated stands over what the file says; a plane has to be the same.
-    assert_eq!(object(&good(at, &["circular", "test.b5r", "--radius", "150", "--json"]))["radius_mm"], 150.0);
+    assert_eq!(object(&succeeds(at, &["circular", "test.b5r", "--radius", "150", "--json"]))["radius_mm"], 150.0);
     refused(at, &["circular", "test.b5r", "--plane", "XY"], &["test.b5r:", "XY"]);
     refused(at, &["circular", "test.b5r", "--cw", "test-cw.csv"], &["--cw"]);
     refused(at, &["circular", "test-cw.csv"], &["no length of the ball-bar", "--radius"]);
@@ -157,7 +157,7 @@ fn an_arc_with_feed_in_and_overshoot_is_fitted_as_the_native_file() {
     let arguments =
         ["import", "tilting.b5r", "separation.b5r", "--out", "runs", "--from-deg", "-20", "--to-deg", "199.5"];
     let more = ["--overshoot-deg", "10", "--unit", "mm", "--plane", "zy", "--json"];
-    let told = object(&good(at, &[&arguments[..], &more].concat()));
+    let told = object(&succeeds(at, &[&arguments[..], &more].concat()));
     for file in [0, 1] {
         let run = &told["files"][file]["runs"][0];
         let trimmed = ["feed_in", "before", "after", "feed_out"].map(|key| run["trimmed"][key].as_u64().unwrap());
@@ -210,7 +210,7 @@ fn fit_takes_a_test_directly_where_nothing_has_to_be_stated() {
     alike(&direct, &native, 1e-6);
     assert_eq!(direct["hysteresis"].as_array().unwrap().len(), 2, "the directions are known");
     let runs = ["--run", "tilting=tilting.b5r", "--run", "separation=separation.b5r"];
-    let output = super::run(at, &[&super::FIT[..], &runs, &super::TABLE].concat());
+    let output = super::trunnion(at, &[&super::FIT[..], &runs, &super::TABLE].concat());
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(said.contains("note: tilting.b5r: run: CW, 360° to 0°, 361 samples; unit of the readings: mm"), "{said}");
     super::refused(

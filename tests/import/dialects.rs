@@ -1,6 +1,6 @@
 //! CSV as instruments and people write it: the fit is that of the native files.
 
-use super::{alike, fitted, good, number, object, reference, samples};
+use super::{alike, fitted, number, object, reference, samples, succeeds};
 use std::fs;
 use std::path::Path;
 
@@ -113,7 +113,7 @@ fn feed_arcs_are_trimmed_and_directions_divided() {
     let lines: String = all.iter().map(|(a, r)| format!("{a:.3};{r:.3}\n").replace('.', ",")).collect();
     fs::write(at.join("both.csv"), format!("QC20-W\n\nWinkel [°];dr [µm]\n{lines}")).unwrap();
     let arguments = ["import", "both.csv", "--out", "runs", "--columns", "a=Winkel [°]", "--json"];
-    let all_of_it = object(&good(at, &arguments));
+    let all_of_it = object(&succeeds(at, &arguments));
     let runs = &all_of_it["files"][0]["runs"];
     assert_eq!((&runs[0]["direction"], &runs[1]["direction"]), (&"CCW".into(), &"CW".into()));
     assert_eq!((&runs[0]["trimmed"]["feed_in"], &runs[0]["trimmed"]["feed_out"]), (&fed_in.into(), &0.into()));
@@ -122,7 +122,7 @@ fn feed_arcs_are_trimmed_and_directions_divided() {
     let (ccw, cw) = (samples(&at.join("runs/both-ccw.csv")), samples(&at.join("runs/both-cw.csv")));
     assert_eq!((ccw[0].0.as_str(), ccw[there - 1].0.as_str(), cw[0].0.as_str()), ("-20.0", "220.0", "219.9"));
     // The ends of the arc trim overshoot, in either direction.
-    let arc = object(&good(at, &[&arguments[..], &["--from-deg", "0", "--to-deg", "200"]].concat()));
+    let arc = object(&succeeds(at, &[&arguments[..], &["--from-deg", "0", "--to-deg", "200"]].concat()));
     let runs = &arc["files"][0]["runs"];
     let trimmed = |run: &serde_json::Value| ["before", "after"].map(|key| run["trimmed"][key].as_u64().unwrap());
     assert_eq!((trimmed(&runs[0]), trimmed(&runs[1])), ([40, 40], [40, 41]));

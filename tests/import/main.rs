@@ -3,24 +3,14 @@
 mod b5r;
 mod bad;
 mod dialects;
+#[path = "../program/mod.rs"]
+mod program;
 mod written;
 
+use program::{succeeds, trunnion};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
-
-/// Runs the program in a directory, so that messages name files without it.
-fn run(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
-
-/// Standard output of a run that has to succeed.
-fn good(directory: &Path, arguments: &[&str]) -> String {
-    let output = run(directory, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
 
 fn object(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
@@ -29,7 +19,7 @@ fn object(text: &str) -> Value {
 /// Exit code 2, nothing on standard output, nothing written, and all of this in the message.
 fn refused(directory: &Path, arguments: &[&str], told: &[&str]) {
     let before = fs::read_dir(directory).unwrap().count();
-    let output = run(directory, arguments);
+    let output = trunnion(directory, arguments);
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
     assert!(output.stdout.is_empty() && said.contains("error: ") && said.len() < 2000, "{arguments:?}: {said}");
@@ -72,7 +62,7 @@ fn fitted(directory: &Path, [tilting, separation]: [&str; 2], more: &[&str]) -> 
 
 /// What a fit prints, but for which files it was made of.
 fn object_of_fit(directory: &Path, arguments: &[&str]) -> Value {
-    let mut fit = object(&good(directory, arguments));
+    let mut fit = object(&succeeds(directory, arguments));
     fit.as_object_mut().unwrap().remove("made");
     fit
 }

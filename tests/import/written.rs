@@ -1,6 +1,6 @@
 //! What an import writes: in place of what it wrote before alone, and the whole set or nothing.
 
-use super::{good, refused};
+use super::{refused, succeeds};
 use std::fs;
 use std::path::Path;
 
@@ -22,13 +22,13 @@ fn earlier_imports_are_replaced_and_nothing_else() {
     let at = directory.path();
     table(at, "one.csv", 1.5);
     table(at, "two.csv", 2.5);
-    let text = good(at, &["import", "one.csv", "--out", "runs"]);
+    let text = succeeds(at, &["import", "one.csv", "--out", "runs"]);
     assert!(text.contains("one.csv\n  → runs/one-ccw.csv\n    run: CCW, 0° to 89°, 90 samples\n"), "{text}");
     let one = fs::read(at.join("runs/one-ccw.csv")).unwrap();
     // Another import into the same directory goes beside, the same one in its place.
-    good(at, &["import", "two.csv", "--out", "runs"]);
+    succeeds(at, &["import", "two.csv", "--out", "runs"]);
     assert_eq!(names(&at.join("runs")), ["one-ccw.csv", "one-ccw.svg", "two-ccw.csv", "two-ccw.svg"]);
-    good(at, &["import", "one.csv", "two.csv", "--out", "runs"]);
+    succeeds(at, &["import", "one.csv", "two.csv", "--out", "runs"]);
     assert_eq!(fs::read(at.join("runs/one-ccw.csv")).unwrap(), one, "the same file gives the same bytes");
     // What somebody has worked on is theirs.
     fs::write(at.join("runs/one-ccw.csv"), [one.as_slice(), b"90,1\n"].concat()).unwrap();
@@ -37,7 +37,7 @@ fn earlier_imports_are_replaced_and_nothing_else() {
         &["import", "one.csv", "--out", "runs"],
         &["runs/one-ccw.csv: this file is not one that was written here"],
     );
-    good(at, &["import", "one.csv", "--out", "runs", "--force"]);
+    succeeds(at, &["import", "one.csv", "--out", "runs", "--force"]);
     assert_eq!(fs::read(at.join("runs/one-ccw.csv")).unwrap(), one);
     // An output is never an input.
     table(at, "one-ccw.csv", 1.5);
@@ -59,7 +59,7 @@ fn what_a_file_says_is_no_line_of_its_own() {
     let runs = [super::b5r::Run { direction: "CCW", readings, features }];
     let text = super::b5r::document("360deg&#10;1,2&#13;3,4\n", "XY", 150.0, &runs).replace("Jörg", "x&#10;5,6\n7,8");
     fs::write(at.join("evil\n0,1.b5r"), text).unwrap();
-    good(at, &["import", "evil\n0,1.b5r", "--out", "runs", "--unit", "mm"]);
+    succeeds(at, &["import", "evil\n0,1.b5r", "--out", "runs", "--unit", "mm"]);
     let written = fs::read_to_string(at.join("runs/evil\n0,1-ccw.csv")).unwrap();
     let lines = written.lines().filter(|line| !line.starts_with('#'));
     assert_eq!(lines.count(), 38, "{written}");

@@ -1,23 +1,12 @@
 //! Proposed on the command line, taken by `trunnion new`, fitted.
 
+use crate::program::{succeeds, trunnion};
 use chacha20::ChaCha8Rng;
 use rand::SeedableRng;
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 use trunnion::study::{ErrorLimits, Population, Setup};
 use trunnion_codegen::kinematics::ErrorValues;
-
-fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
-
-fn succeeds(directory: &Path, arguments: &[&str]) -> String {
-    let output = trunnion(directory, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
 
 #[test]
 fn proposed_positions_are_probed_and_fitted() {

@@ -1,6 +1,8 @@
 //! Positions that are proposed for a touch probe: never worse than spread evenly, the best there are, what they are said to give.
 
 mod commands;
+#[path = "../program/mod.rs"]
+mod program;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use trunnion::study::plan::positions::{Asked, Chosen, Count, Proposed, propose};

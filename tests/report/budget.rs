@@ -1,6 +1,6 @@
 //! Rows of a budget against fits of readings that were changed by what the row is about, and sums worked out again.
 
-use super::{MODEL, MODELS, RUNS, fit_of, good, simulated, words};
+use super::{MODEL, MODELS, RUNS, fit_of, simulated, succeeds, words};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -25,7 +25,7 @@ const WAVES: usize = 9;
 
 fn fit(directory: &Path) -> Value {
     let fit = ["fit", MODEL, "--radius", "150", "--json"];
-    serde_json::from_str(&good(directory, &[&fit[..], &RUNS, &STATED].concat())).unwrap()
+    serde_json::from_str(&succeeds(directory, &[&fit[..], &RUNS, &STATED].concat())).unwrap()
 }
 
 /// A CSV file with one of its columns changed, of the angle in rad and the value before.
@@ -159,7 +159,7 @@ fn budgets_add_up() {
     near(number(largest, "/monte_carlo/u95"), number(largest, "/budget/u95"), 0.01, "Monte Carlo");
     for (model, runs) in MODELS {
         let (directory, fit) = fit_of(model, runs);
-        let fit = good(directory.path(), &[&words(&fit)[..], &["--json"]].concat());
+        let fit = succeeds(directory.path(), &[&words(&fit)[..], &["--json"]].concat());
         let fit: Value = serde_json::from_str(&fit).unwrap();
         let functions = fit["functions"].as_array().unwrap();
         let seen: Vec<&Value> = functions.iter().filter(|f| !f["largest"].is_null()).collect();

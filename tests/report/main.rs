@@ -3,27 +3,20 @@
 
 mod budget;
 mod page;
+#[path = "../program/mod.rs"]
+mod program;
 
 use page::Page;
+use program::{succeeds, trunnion};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 use tempfile::TempDir;
 use trunnion::data::{Known, Quantity, Table, Unit};
 
 const MODEL: &str = "tilting-table-a";
 const RUNS: [&str; 6] = ["--run", "tilting=tilting.csv", "--run", "separation=separation.csv", "--table", "table.csv"];
-
-fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
-
-fn good(directory: &Path, arguments: &[&str]) -> String {
-    let output = trunnion(directory, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
 
 fn refused(directory: &Path, arguments: &[&str], message: &str) {
     let output = trunnion(directory, arguments);
@@ -34,13 +27,13 @@ fn refused(directory: &Path, arguments: &[&str], message: &str) {
 /// A directory with the files of a simulated machine.
 fn simulated(model: &str, more: &[&str]) -> TempDir {
     let directory = tempfile::tempdir().unwrap();
-    good(directory.path(), &[&["simulate", model, "--out", "."], more].concat());
+    succeeds(directory.path(), &[&["simulate", model, "--out", "."], more].concat());
     directory
 }
 
 /// The JSON object of a command, and its report.
 fn reported(directory: &Path, arguments: &[&str]) -> (Value, Page) {
-    let json = good(directory, &[arguments, &["--report", "report.html"]].concat());
+    let json = succeeds(directory, &[arguments, &["--report", "report.html"]].concat());
     let html = fs::read_to_string(directory.join("report.html")).unwrap();
     (serde_json::from_str(&json).unwrap(), Page::new(html))
 }
@@ -146,7 +139,7 @@ fn ring_and_offset_have_theirs() {
     // A ring that is 2 µm larger moves the offset by what the budget says, and the rows make what stands beside the result.
     let number = |value: &Value| value.as_f64().unwrap();
     let larger: Value =
-        serde_json::from_str(&good(at, &["exechon", "offset", "paper.csv", "--diameter", "40.003"])).unwrap();
+        serde_json::from_str(&succeeds(at, &["exechon", "offset", "paper.csv", "--diameter", "40.003"])).unwrap();
     let (nominal, page) = reported(at, &["exechon", "offset", "paper.csv"]);
     page.follows(&nominal);
     page.is_whole();
@@ -193,7 +186,7 @@ fn the_same_but_for_the_time() {
     let timeless = |html: &str, json: &Value| html.replace(json["made"]["at"].as_str().unwrap(), "");
     let [first, second] = [0, 1].map(|_| fitted(directory.path(), &[]));
     assert_eq!(timeless(&first.1.html, &first.0), timeless(&second.1.html, &second.0));
-    let plain = || good(directory.path(), &[&["fit", MODEL, "--radius", "150", "--json"], &RUNS[..]].concat());
+    let plain = || succeeds(directory.path(), &[&["fit", MODEL, "--radius", "150", "--json"], &RUNS[..]].concat());
     assert_eq!(plain(), plain(), "without a report there is no time");
 }
 
@@ -275,7 +268,7 @@ fn curves_read_back_as_a_table_of_known_functions() {
     }
     // A function that is seen in a sum: the sum, under another name, which nobody takes for the function.
     let (directory, fit) = fit_of(MODELS[0].0, MODELS[0].1);
-    good(directory.path(), &[&words(&fit)[..], &["--csv", "curves"]].concat());
+    succeeds(directory.path(), &[&words(&fit)[..], &["--csv", "curves"]].concat());
     let ecc = fs::read_to_string(directory.path().join("curves/ECC.csv")).unwrap();
     assert!(ecc.lines().next().unwrap().contains("S = ECC"), "{ecc}");
     assert_eq!(ecc.lines().nth(1), Some("c_deg,S_urad,u95_S_urad,u95_ECC_urad"));
@@ -293,7 +286,7 @@ fn only_earlier_results_are_replaced() {
     let foreign = "notes.html: this file is not one that was written here before";
     refused(at, &with(&fit, &["--report", "notes.html"]), foreign);
     for more in [&["--force"][..], &[]] {
-        good(at, &with(&fit, &[&["--report", "notes.html"], more].concat()));
+        succeeds(at, &with(&fit, &[&["--report", "notes.html"], more].concat()));
     }
     refused(at, &with(&fit, &["--report", "tilting.csv", "--force"]), "the command reads this file");
     refused(at, &with(&fit, &["--force"]), "--force");
@@ -301,9 +294,9 @@ fn only_earlier_results_are_replaced() {
     fs::write(at.join("out/eps_xa.csv"), "a_deg,eps_xa_urad\n0,1\n").unwrap();
     refused(at, &with(&fit, &["--csv", "out"]), "eps_xa.csv: this file is not one that was written here before");
     for more in [&["--force"][..], &[]] {
-        good(at, &with(&fit, &[&["--csv", "out"], more].concat()));
+        succeeds(at, &with(&fit, &[&["--csv", "out"], more].concat()));
     }
     // What is simulated beside stays.
-    good(at, &with(&fit, &["--csv", "."]));
+    succeeds(at, &with(&fit, &["--csv", "."]));
     assert!(at.join("tilting.csv").exists() && at.join("eps_xa.csv").exists());
 }

@@ -93,7 +93,9 @@ impl<'a> Files<'a> {
         let _lock = Lock::take(&out).map_err(failed)?;
         let earlier = finish(&out).and_then(|()| Earlier::of(&out, self)).map_err(|e| failed(e.into()))?;
         for name in self.names().chain(earlier.own.iter().map(String::as_str)) {
-            let allowed = guard.allows(&out.join(name), |file| earlier.listed.is_own(name, file));
+            // A link that leads to an earlier result is not among those of the directory.
+            let own = |file: &Path| Ok(earlier.own.iter().any(|own| own == name) || earlier.listed.is_own(name, file)?);
+            let allowed = guard.allows(&out.join(name), own);
             allowed.map_err(|problem| WriteError { file: directory.join(name), problem })?;
         }
         self.put(&out, &earlier).map_err(failed)
