@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use proptest::prelude::*;
 use trunnion_solver::Real;
-use trunnion_solver::lstsq::{Blocked, Factor, ROWS, Rejected};
+use trunnion_solver::lstsq::{Blocked, Factor, Portable, ROWS, Rejected};
 
 const P: usize = 5;
 
@@ -29,13 +29,27 @@ fn streamed<T: Real>(rows: &[([f64; P], f64)], weights: impl Fn(usize) -> f64) -
     factor
 }
 
+/// With room to work in.
 fn push<T: Real>(blocked: &mut Blocked<T, P>, rows: &[([f64; P], f64)], weight: f64) -> Result<(), Rejected> {
+    push_in(blocked, rows, weight, true)
+}
+
+fn push_in<T: Real>(
+    blocked: &mut Blocked<T, P>,
+    rows: &[([f64; P], f64)],
+    weight: f64,
+    room: bool,
+) -> Result<(), Rejected> {
     let (mut columns, mut y) = ([[T::of(7.0); ROWS]; P], [T::of(7.0); ROWS]);
     for (i, (row, value)) in rows.iter().enumerate() {
         columns.iter_mut().zip(row).for_each(|(column, &x)| column[i] = T::of(x));
         y[i] = T::of(*value);
     }
-    blocked.push(&mut columns, &mut y, rows.len(), T::of(weight))
+    if !room {
+        return blocked.push(&mut columns, &mut y, rows.len(), T::of(weight));
+    }
+    let mut work = [[T::of(7.0); ROWS]; P + 1];
+    blocked.push_with(Portable, &mut columns, &mut y, rows.len(), T::of(weight), &mut work)
 }
 
 fn assert_same<T: Real>(a: &Factor<T, P>, b: &Factor<T, P>, tolerance: f64) {
@@ -57,7 +71,7 @@ fn assert_same<T: Real>(a: &Factor<T, P>, b: &Factor<T, P>, tolerance: f64) {
 
 fn split<T: Real>(count: usize, cuts: &[usize], merged_at: usize, seed: u64, tolerance: f64) {
     let rows = rows(count, seed);
-    // Three weights in turn, from cut to cut.
+    // Three weights in turn, from cut to cut; room to work in for three of five.
     let weight = |part: usize| [1.0, 0.25, 9.0][part % 3];
     let mut ends: Vec<usize> = cuts.iter().map(|c| c % count).chain([count]).collect();
     ends.sort_unstable();
@@ -66,7 +80,7 @@ fn split<T: Real>(count: usize, cuts: &[usize], merged_at: usize, seed: u64, tol
     let mut start = 0;
     for (part, &end) in ends.iter().enumerate() {
         for chunk in rows[start..end].chunks(ROWS) {
-            push(&mut blocked, chunk, weight(part)).unwrap();
+            push_in(&mut blocked, chunk, weight(part), (part + seed as usize) % 5 > 1).unwrap();
         }
         start = end;
         if part == merged_at {
@@ -108,9 +122,12 @@ fn a_block_with_a_bad_row_is_refused_whole() {
     let mut blocked = Blocked::<f64, P>::new();
     push(&mut blocked, &good[..100], 1.0).unwrap();
     let before = blocked.factor();
-    for (bad, why) in
-        [(f64::NAN, Rejected::NotFinite), (f64::INFINITY, Rejected::NotFinite), (1e200, Rejected::Overflow)]
-    {
+    for (bad, why) in [
+        (f64::NAN, Rejected::NotFinite),
+        (f64::INFINITY, Rejected::NotFinite),
+        (1e200, Rejected::Overflow),
+        (1e130, Rejected::Overflow),
+    ] {
         for column in 0..P {
             let mut rows = good[100..200].to_vec();
             rows[50].0[column] = bad;
@@ -136,4 +153,46 @@ fn columns_that_are_zero_or_dependent_are_found() {
     let streamed = streamed::<f64>(&rows, |_| 1.0);
     assert_eq!(blocked.factor().solve(), streamed.solve());
     assert!(blocked.factor().solve().is_err());
+}
+
+/// Rows along an arc that each block prolongs: what a triangle of the first foretells worst.
+fn along(count: usize) -> Vec<([f64; P], f64)> {
+    let row = |i: usize| {
+        let a = i as f64 * std::f64::consts::TAU / count as f64;
+        let noise = 1e-4 * (997.0 * a * a).sin();
+        ([1.0, a.sin(), a.cos(), (2.0 * a).sin(), a * a - 6.0 * a], 0.004 * a.sin().exp() + noise)
+    };
+    (0..count).map(row).collect()
+}
+
+/// Rows from all over first.
+fn spread<R: Copy>(rows: &[R]) -> Vec<R> {
+    let step = rows.len().div_ceil(ROWS);
+    let first = rows.iter().step_by(step);
+    first.chain(rows.iter().enumerate().filter(|(i, _)| i % step != 0).map(|(_, row)| row)).copied().collect()
+}
+
+#[test]
+fn rows_in_the_order_of_a_sweep_and_from_all_over_give_the_same() {
+    for count in [130, 360, 3_600, 36_000] {
+        let rows = along(count);
+        let streamed = streamed::<f64>(&rows, |_| 1.0);
+        for rows in [spread(&rows), rows] {
+            let mut blocked = Blocked::<f64, P>::new();
+            rows.chunks(ROWS).for_each(|chunk| push(&mut blocked, chunk, 1.0).unwrap());
+            assert_same(&streamed, &blocked.factor(), 1e-12);
+        }
+    }
+}
+
+#[test]
+fn readings_that_the_rows_explain_leave_nothing() {
+    let rows: Vec<_> = along(3_600).into_iter().map(|(x, _)| (x, 3.0 * x[0] - 2.0 * x[1] + 0.5 * x[4])).collect();
+    let mut blocked = Blocked::<f64, P>::new();
+    rows.chunks(ROWS).for_each(|chunk| push(&mut blocked, chunk, 1.0).unwrap());
+    let solved = blocked.factor().solve().unwrap();
+    for (value, exact) in solved.coefficients.iter().zip([3.0, -2.0, 0.0, 0.0, 0.5]) {
+        assert!((value - exact).abs() < 1e-13, "{value} {exact}");
+    }
+    assert!(solved.residual_std < 1e-14, "{}", solved.residual_std);
 }

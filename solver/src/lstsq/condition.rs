@@ -43,7 +43,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
                 rows[j][k] = root * self.dr[j][k] / norm2[k].sqrt();
             }
         }
-        orthogonalise(&mut rows);
+        orthogonalise(&mut rows, n);
 
         let (mut largest, mut smallest, mut weakest) = (T::zero(), T::infinity(), [T::zero(); P]);
         for row in rows.into_iter().take(n) {
@@ -63,12 +63,13 @@ impl<T: Real, const P: usize> Factor<T, P> {
 }
 
 /// One-sided Jacobi: rotates pairs of rows until all are orthogonal to working precision.
-fn orthogonalise<T: Real, const P: usize>(rows: &mut [[T; P]; P]) {
+fn orthogonalise<T: Real, const P: usize>(rows: &mut [[T; P]; P], n: usize) {
+    let n = n.min(P);
     let two = T::one() + T::one();
     for _ in 0..SWEEPS {
         let mut rotated = false;
-        for i in 0..P {
-            for j in i + 1..P {
+        for i in 0..n {
+            for j in i + 1..n {
                 let (a, b) = (rows[i], rows[j]);
                 let (aa, bb, ab) = (dot(&a, &a), dot(&b, &b), dot(&a, &b));
                 if ab.abs() <= T::epsilon() * aa.sqrt() * bb.sqrt() {

@@ -44,10 +44,13 @@
 #![expect(clippy::needless_range_loop, reason = "equations of matrices read by index; every bound is a constant")]
 
 mod blocked;
+mod columns;
 mod condition;
 mod error;
 mod factor;
+mod kernel;
 mod order;
+mod preconditioned;
 mod real;
 mod residual;
 mod solution;
@@ -58,11 +61,13 @@ mod student;
 mod subset;
 mod triangle;
 mod two_step;
+mod upper;
 
-pub use blocked::{Blocked, Column, Kernel, Portable, ROWS};
+pub use blocked::Blocked;
 pub use condition::Condition;
 pub use error::{Confounded, Named, Rejected, SolveError, Step, TwoStepError};
 pub use factor::Factor;
+pub use kernel::{Column, Kernel, Portable, ROWS};
 pub use order::{Order, OrderError};
 pub use real::Real;
 pub use solution::Solution;

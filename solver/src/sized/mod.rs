@@ -11,7 +11,7 @@ pub use stored::{NotTaken, Stored};
 use vectors::Vectors;
 pub use vectors::{Work, vectorised};
 
-use crate::lstsq::{Blocked, Condition, Order, Rejected, Solution, SolveError, Step, TwoStepError};
+use crate::lstsq::{Blocked, Condition, Order, Portable, Rejected, Solution, SolveError, Step, TwoStepError};
 use nalgebra::{DMatrix, DVector, SMatrix};
 use std::boxed::Box;
 use std::vec;
@@ -127,6 +127,7 @@ struct Push<'a, const P: usize> {
     block: Block<'a>,
     rows: usize,
     weight: f64,
+    work: &'a mut [Column<f64>],
 }
 
 impl<const P: usize> pulp::WithSimd for Push<'_, P> {
@@ -135,7 +136,10 @@ impl<const P: usize> pulp::WithSimd for Push<'_, P> {
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) -> Self::Output {
         let Block { columns, y } = self.block;
-        self.factor.push_with(Vectors(simd), columns, y, self.rows, self.weight)
+        if S::IS_SCALAR {
+            return self.factor.push_with(Portable, columns, y, self.rows, self.weight, self.work);
+        }
+        self.factor.push_with(Vectors(simd), columns, y, self.rows, self.weight, self.work)
     }
 }
 
@@ -172,11 +176,12 @@ fn enough(step: Step, samples: u32, columns: usize) -> Result<(), Unsolved> {
 struct OneStep<const P: usize> {
     n: usize,
     factor: Blocked<f64, P>,
+    work: Vec<Column<f64>>,
 }
 
 impl<const P: usize> Estimate for OneStep<P> {
     fn push(&mut self, _: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected> {
-        Push { factor: &mut self.factor, block, rows, weight }.done()
+        Push { factor: &mut self.factor, block, rows, weight, work: &mut self.work }.done()
     }
 
     fn copy(&self) -> Box<dyn Estimate> {
@@ -211,6 +216,7 @@ struct TwoSteps<const P: usize> {
     columns: usize,
     first: Blocked<f64, P>,
     second: Blocked<f64, P>,
+    work: Vec<Column<f64>>,
 }
 
 impl<const P: usize> TwoSteps<P> {
@@ -223,7 +229,7 @@ impl<const P: usize> TwoSteps<P> {
 impl<const P: usize> Estimate for TwoSteps<P> {
     fn push(&mut self, step: Step, block: Block, rows: usize, weight: f64) -> Result<(), Rejected> {
         let factor = if step == Step::First { &mut self.first } else { &mut self.second };
-        Push { factor, block, rows, weight }.done()
+        Push { factor, block, rows, weight, work: &mut self.work }.done()
     }
 
     fn copy(&self) -> Box<dyn Estimate> {
@@ -265,11 +271,17 @@ impl<const P: usize> Estimate for TwoSteps<P> {
 
 fn of<const P: usize>(n: usize, columns: &Columns) -> Option<Box<dyn Estimate>> {
     if columns.own.is_empty() {
-        return Some(Box::new(OneStep::<P> { n, factor: Blocked::new() }));
+        return Some(Box::new(OneStep::<P> { n, factor: Blocked::new(), work: room(n) }));
     }
     let order = Order::<P, P, P>::within(n, &columns.first, &columns.own, &columns.given).ok()?;
     let second = columns.own.len() + columns.given.len();
-    Some(Box::new(TwoSteps::<P> { order, columns: second, first: Blocked::new(), second: Blocked::new() }))
+    let work = room(second.max(columns.first.len()));
+    Some(Box::new(TwoSteps::<P> { order, columns: second, first: Blocked::new(), second: Blocked::new(), work }))
+}
+
+/// Columns to work in with blocks of so many.
+fn room(columns: usize) -> Vec<Column<f64>> {
+    vec![[0.0; ROWS]; columns + 1]
 }
 
 /// An estimator without samples for these columns, each coefficient one; `None` for none or more than [`LARGEST`].

@@ -1,6 +1,6 @@
 //! Columns on the vector instructions that the processor at hand has, found when the program runs.
 
-use crate::lstsq::{Column, Kernel, Portable};
+use crate::lstsq::{Column, Kernel};
 use pulp::Simd;
 
 /// Work that is worth vector instructions.
@@ -28,99 +28,45 @@ impl<W: Work> pulp::NullaryFnOnce for Vectorised<W> {
     }
 }
 
-/// The processor's vectors; where there are none, [`Portable`].
+/// The processor's vectors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<S>(pub S);
 
-/// Sums are kept in so many vectors, which do not wait for each other.
-const PARTS: usize = 4;
-
-impl<S: Simd> Vectors<S> {
-    #[inline(always)]
-    fn parts(column: &Column<f64>) -> &[[S::f64s; PARTS]] {
-        S::as_simd_f64s(column).0.as_chunks().0
-    }
-
-    #[inline(always)]
-    fn parts_mut(column: &mut Column<f64>) -> &mut [[S::f64s; PARTS]] {
-        S::as_mut_simd_f64s(column).0.as_chunks_mut().0
-    }
-
-    #[inline(always)]
-    fn total(self, [a, b, c, d]: [S::f64s; PARTS]) -> f64 {
-        let Self(simd) = self;
-        simd.reduce_sum_f64s(simd.add_f64s(simd.add_f64s(a, c), simd.add_f64s(b, d)))
-    }
-}
-
 impl<S: Simd> Kernel<f64> for Vectors<S> {
+    type Vector = S::f64s;
+
     #[inline(always)]
-    fn dot(self, a: &Column<f64>, b: &Column<f64>) -> f64 {
-        if S::IS_SCALAR {
-            return Portable.dot(a, b);
-        }
-        let Self(simd) = self;
-        let mut sums = [simd.splat_f64s(0.0); PARTS];
-        for (a, b) in Self::parts(a).iter().zip(Self::parts(b)) {
-            for l in 0..PARTS {
-                sums[l] = simd.mul_add_e_f64s(a[l], b[l], sums[l]);
-            }
-        }
-        self.total(sums)
+    fn vectors(column: &Column<f64>) -> &[S::f64s] {
+        S::as_simd_f64s(column).0
     }
 
     #[inline(always)]
-    fn add(self, column: &mut Column<f64>, factor: f64, own: &Column<f64>) {
-        if S::IS_SCALAR {
-            return Portable.add(column, factor, own);
-        }
-        let Self(simd) = self;
-        let factor = simd.splat_f64s(factor);
-        for (x, v) in S::as_mut_simd_f64s(column).0.iter_mut().zip(S::as_simd_f64s(own).0) {
-            *x = simd.mul_add_e_f64s(factor, *v, *x);
-        }
+    fn vectors_mut(column: &mut Column<f64>) -> &mut [S::f64s] {
+        S::as_mut_simd_f64s(column).0
     }
 
     #[inline(always)]
-    fn add_and_dot(self, column: &mut Column<f64>, factor: f64, own: &Column<f64>, next: &Column<f64>) -> f64 {
-        if S::IS_SCALAR {
-            return Portable.add_and_dot(column, factor, own, next);
-        }
-        let Self(simd) = self;
-        let factor = simd.splat_f64s(factor);
-        let mut sums = [simd.splat_f64s(0.0); PARTS];
-        for ((x, v), u) in Self::parts_mut(column).iter_mut().zip(Self::parts(own)).zip(Self::parts(next)) {
-            for l in 0..PARTS {
-                x[l] = simd.mul_add_e_f64s(factor, v[l], x[l]);
-                sums[l] = simd.mul_add_e_f64s(x[l], u[l], sums[l]);
-            }
-        }
-        self.total(sums)
+    fn splat(self, value: f64) -> S::f64s {
+        self.0.splat_f64s(value)
     }
 
     #[inline(always)]
-    fn add_and_dot_both(
-        self,
-        [a, b]: &mut [Column<f64>; 2],
-        [of_a, of_b]: [f64; 2],
-        own: &Column<f64>,
-        next: &Column<f64>,
-    ) -> [f64; 2] {
-        if S::IS_SCALAR {
-            return [Portable.add_and_dot(a, of_a, own, next), Portable.add_and_dot(b, of_b, own, next)];
-        }
-        let Self(simd) = self;
-        let (of_a, of_b) = (simd.splat_f64s(of_a), simd.splat_f64s(of_b));
-        let (mut sums_a, mut sums_b) = ([simd.splat_f64s(0.0); PARTS], [simd.splat_f64s(0.0); PARTS]);
-        let columns = Self::parts_mut(a).iter_mut().zip(Self::parts_mut(b));
-        for (((a, b), v), u) in columns.zip(Self::parts(own)).zip(Self::parts(next)) {
-            for l in 0..PARTS {
-                a[l] = simd.mul_add_e_f64s(of_a, v[l], a[l]);
-                sums_a[l] = simd.mul_add_e_f64s(a[l], u[l], sums_a[l]);
-                b[l] = simd.mul_add_e_f64s(of_b, v[l], b[l]);
-                sums_b[l] = simd.mul_add_e_f64s(b[l], u[l], sums_b[l]);
-            }
-        }
-        [self.total(sums_a), self.total(sums_b)]
+    fn add(self, a: S::f64s, b: S::f64s) -> S::f64s {
+        self.0.add_f64s(a, b)
+    }
+
+    #[inline(always)]
+    fn mul(self, a: S::f64s, b: S::f64s) -> S::f64s {
+        self.0.mul_f64s(a, b)
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s {
+        self.0.mul_add_e_f64s(a, b, c)
+    }
+
+    #[inline(always)]
+    fn sum(self, a: S::f64s) -> f64 {
+        self.0.reduce_sum_f64s(a)
     }
 }
