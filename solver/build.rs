@@ -1,10 +1,11 @@
-//! Writes as Rust what this crate takes from the generator: the paper's tilting table, and the parallel machine's equations.
+//! Writes as Rust what this crate takes from the generator: the paper's tilting table, the parallel machine's equations, and a sine
+//! that both work with.
 
 use quote::quote;
 use std::{env, error::Error, fs, path::Path};
 use trunnion_codegen::emit::rust::{Support, model_source, source};
 use trunnion_codegen::problems::{Colour, read_and_derive, render};
-use trunnion_codegen::{catalogue, exechon};
+use trunnion_codegen::{SINE, catalogue, exechon};
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
@@ -12,6 +13,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = Path::new(&out);
     let support = Support::in_file(&quote!(crate::generated));
 
+    fs::write(out.join("sine.rs"), SINE)?;
     let name = "tilting-table-a";
     let file = catalogue::source(name).ok_or("not in the catalogue")?;
     let (model, derivation) = read_and_derive(file).map_err(|p| render(name, file, &p, Colour::Off))?;

@@ -69,6 +69,8 @@ pub mod ids;
 mod iso;
 pub mod kinematics;
 mod lanes;
+#[doc(hidden)]
+pub use lanes::SINE;
 pub mod limits;
 pub mod measurement;
 pub mod model;

@@ -3,7 +3,8 @@
 //! Not part of the public interface: it changes with the generator of the same version.
 
 pub use crate::Real;
-pub use crate::lstsq::{Condition, Factor, Order, Rejected, Solution, SolveError, TwoStepError};
+pub use crate::block::{Near, Number, joined, rows};
+pub use crate::lstsq::{Column, Condition, Factor, Order, Rejected, Solution, SolveError, TwoStepError};
 pub use crate::model::{ImpossibleLength, MergeError, NotFinite};
 
 use nalgebra::SVector;

@@ -39,6 +39,7 @@
 #[cfg(feature = "sized")]
 extern crate std;
 
+mod block;
 #[cfg(feature = "circle")]
 pub mod circle;
 #[cfg(feature = "double-double")]

@@ -1,7 +1,12 @@
-//! Sine and cosine of `f32` in `f32`.
+//! Sine and cosine of `f32` in `f32`, and of many `f64`.
 //!
 //! `libm` works out a sine of `f32` in `f64`, which a processor with single-precision hardware emulates: some 2,000
 //! instructions on a Cortex-M4F, more than all the rest of a sample. The one here stays in `f32` and takes about fifty.
+
+/// Of `f64`, from the generator.
+pub(crate) mod double {
+    include!(concat!(env!("OUT_DIR"), "/sine.rs"));
+}
 
 /// Beyond this, rad, the reduction below would lose digits.
 const NEAR: f32 = 256.0;

@@ -6,7 +6,7 @@ mod native;
 mod python;
 /// What stands for `trunnion_solver::generated`, which depends on this crate.
 mod support {
-    pub trait Real: num_traits::Float {
+    pub trait Number: num_traits::Float {
         fn of(x: f64) -> Self;
         fn whole_turns(self) -> Self {
             self.floor()
@@ -15,12 +15,12 @@ mod support {
             self.sin_cos()
         }
     }
-    impl Real for f32 {
+    impl Number for f32 {
         fn of(x: f64) -> Self {
             x as f32
         }
     }
-    impl Real for f64 {
+    impl Number for f64 {
         fn of(x: f64) -> Self {
             x
         }

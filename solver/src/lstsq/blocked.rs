@@ -12,8 +12,8 @@ const GROUP: u32 = 256;
 /// A block goes into a triangle by Householder reflections (Golub and Van Loan, *Matrix Computations*, 5.2; one for each column, of
 /// the triangle's row and all the block's): some ten times fewer operations wait for one another than with a rotation for each
 /// row. With room to work in, blocks of rows that are like earlier ones go in by their products in the triangle's units, which is
-/// as accurate and some three times as fast again: it pays to let the first block be rows from all over the recording
-/// ([`spread`]). Triangles are [merged](Factor::merge) into the factor, which is that of all rows pushed one by one, up to
+/// as accurate and almost twice as fast again. It pays to let each block be rows from all over the recording: of `m` blocks, the
+/// one at `b` every `m`-th row from `b` on. Triangles are [merged](Factor::merge) into the factor, which is that of all rows pushed one by one, up to
 /// rounding.
 #[derive(Clone, Debug)]
 pub struct Blocked<T, const P: usize> {
@@ -27,6 +27,8 @@ pub struct Blocked<T, const P: usize> {
     rows: u32,
     /// How often the triangle was added to.
     changes: u32,
+    /// With how many rows it is tried again whether the triangle foretells a block.
+    again: u32,
 }
 
 impl<T: Real, const P: usize> Default for Blocked<T, P> {
@@ -39,7 +41,7 @@ impl<T: Real, const P: usize> Blocked<T, P> {
     /// Of no rows.
     pub fn new() -> Self {
         let (factor, upper, ahead) = (Factor::new(), Upper::new(), Preconditioned::new());
-        Self { factor, upper, ahead, weight: T::one(), rows: 0, changes: 0 }
+        Self { factor, upper, ahead, weight: T::one(), rows: 0, changes: 0, again: 0 }
     }
 
     /// Takes the first `rows` rows of a block, each with `weight`: `columns` are those of the factor from the first on (the
@@ -77,7 +79,8 @@ impl<T: Real, const P: usize> Blocked<T, P> {
         for column in columns.iter_mut().chain([&mut *y]) {
             column[rows..].fill(T::zero());
         }
-        if weight == self.weight && self.ahead.take(kernel, &self.upper, columns, y, weight, work) {
+        let tried = weight == self.weight && self.rows >= self.again;
+        if tried && self.ahead.take(kernel, &self.upper, columns, y, weight, work) {
             if self.ahead.is_full() {
                 self.catch_up();
             }
@@ -93,6 +96,9 @@ impl<T: Real, const P: usize> Blocked<T, P> {
             }
             self.upper.absorb(kernel, columns, y);
             self.changes += 1;
+            if tried {
+                self.again = self.rows.saturating_add(self.rows / 2);
+            }
         }
         self.rows = self.rows.saturating_add(u32::try_from(rows).unwrap_or(u32::MAX));
         Ok(())
@@ -121,7 +127,7 @@ impl<T: Real, const P: usize> Blocked<T, P> {
     fn merge_triangle(&mut self) {
         self.factor = self.factor();
         (self.upper, self.ahead) = (Upper::new(), Preconditioned::new());
-        (self.rows, self.changes) = (0, 0);
+        (self.rows, self.changes, self.again) = (0, 0, 0);
     }
 
     /// Adds the rows that are ahead to the triangle.

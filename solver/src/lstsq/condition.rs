@@ -62,16 +62,18 @@ impl<T: Real, const P: usize> Factor<T, P> {
     }
 }
 
-/// One-sided Jacobi: rotates pairs of rows until all are orthogonal to working precision.
+/// One-sided Jacobi: rotates pairs of the first `n` rows until all are orthogonal to working precision.
 fn orthogonalise<T: Real, const P: usize>(rows: &mut [[T; P]; P], n: usize) {
-    let n = n.min(P);
-    let two = T::one() + T::one();
+    let (n, two) = (n.min(P), T::one() + T::one());
     for _ in 0..SWEEPS {
         let mut rotated = false;
         for i in 0..n {
             for j in i + 1..n {
-                let (a, b) = (rows[i], rows[j]);
-                let (aa, bb, ab) = (dot(&a, &a), dot(&b, &b), dot(&a, &b));
+                let (above, below) = rows.split_at_mut(j);
+                let (Some(a), Some(b)) = (above.get_mut(i), below.first_mut()) else { continue };
+                // What is behind is zero.
+                let (a, b) = (&mut a[..n], &mut b[..n]);
+                let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
                 if ab.abs() <= T::epsilon() * aa.sqrt() * bb.sqrt() {
                     continue;
                 }
@@ -80,11 +82,8 @@ fn orthogonalise<T: Real, const P: usize>(rows: &mut [[T; P]; P], n: usize) {
                 let t = zeta.signum() / (zeta.abs() + (T::one() + zeta * zeta).sqrt());
                 let c = T::one() / (T::one() + t * t).sqrt();
                 let s = c * t;
-                for (x, (&a, &b)) in rows[i].iter_mut().zip(a.iter().zip(&b)) {
-                    *x = c * a - s * b;
-                }
-                for (x, (&a, &b)) in rows[j].iter_mut().zip(a.iter().zip(&b)) {
-                    *x = s * a + c * b;
+                for (a, b) in a.iter_mut().zip(b) {
+                    (*a, *b) = (c * *a - s * *b, s * *a + c * *b);
                 }
             }
         }

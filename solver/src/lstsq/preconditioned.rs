@@ -31,13 +31,22 @@ pub(super) struct Preconditioned<T, const P: usize> {
     /// Of all numbers in R and q.
     squares: T,
     sums: Products<T, P>,
+    /// Of the last block.
+    block: Products<T, P>,
 }
 
 impl<T: Real, const P: usize> Preconditioned<T, P> {
     /// Of no rows and no triangle.
     pub fn new() -> Self {
         let zero = T::zero();
-        Self { n: 0, units: [[zero; P]; P], of_y: [zero; P], squares: zero, sums: Products::new() }
+        Self {
+            n: 0,
+            units: [[zero; P]; P],
+            of_y: [zero; P],
+            squares: zero,
+            sums: Products::new(),
+            block: Products::new(),
+        }
     }
 
     /// Takes a block of rows for a triangle, which has to stay as it is until they are [added](Self::added) to it; whether it did.
@@ -58,13 +67,14 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
             return false;
         }
         self.substituted(kernel, columns, y, b, e);
-        let products = Products::of(kernel, b, e);
+        self.block.set(kernel, b, e);
+        let products = &self.block;
         let two = T::one() + T::one();
         // A = B R and y = e + B q: what bounds B and e bounds them. No comparison with NaN holds.
         let taken =
             products.trace(n) <= most(n) && weight * two * (most::<T>(n) * self.squares + products.yy) <= T::MOST;
         if taken {
-            self.sums.add(n, &products);
+            self.sums.add(n, products);
         }
         taken
     }
@@ -115,14 +125,14 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
             let (done, rest) = b.split_at_mut(k);
             let Some(out) = rest.first_chunk_mut::<2>() else { return };
             let factors = [self.units[k].as_slice(), self.units[k + 1].as_slice()];
-            substitute(kernel, [first, second], factors, [scale(k), scale(k + 1)], done, out);
+            substitute::<_, _, 2, 4>(kernel, [first, second], factors, [scale(k), scale(k + 1)], done, out);
         }
         if let [last] = odd {
             let Some((own, done)) = b.split_last_mut() else { return };
             let k = done.len();
-            substitute(kernel, [last], [&self.units[k]], [scale(k)], done, core::array::from_mut(own));
+            substitute::<_, _, 1, 8>(kernel, [last], [&self.units[k]], [scale(k)], done, core::array::from_mut(own));
         }
-        substitute(kernel, [y], [&self.of_y], [T::one()], b, core::array::from_mut(e));
+        substitute::<_, _, 1, 8>(kernel, [y], [&self.of_y], [T::one()], b, core::array::from_mut(e));
     }
 
     /// The triangle of its own rows and these.
@@ -184,27 +194,26 @@ impl<T: Real, const P: usize> Products<T, P> {
         Self { squares: [[T::zero(); P]; P], with_y: [T::zero(); P], yy: T::zero() }
     }
 
+    /// Those of a block.
     #[inline(always)]
-    fn of<K: Kernel<T>>(kernel: K, b: &[Column<T>], e: &Column<T>) -> Self {
-        let mut products = Self::new();
-        products.yy = dot(kernel, e, e);
+    fn set<K: Kernel<T>>(&mut self, kernel: K, b: &[Column<T>], e: &Column<T>) {
+        self.yy = dot(kernel, e, e);
         for i in (0..b.len()).step_by(2) {
             match &b[i..] {
-                [first, second, ..] => products.of_two(kernel, i, [first, second], b, e),
+                [first, second, ..] => self.set_two(kernel, i, [first, second], b, e),
                 [last] => {
-                    products.squares[i][i] = dot(kernel, last, last);
-                    products.with_y[i] = dot(kernel, last, e);
+                    self.squares[i][i] = dot(kernel, last, last);
+                    self.with_y[i] = dot(kernel, last, e);
                 }
                 [] => {}
             }
         }
-        products
     }
 
     /// Of two columns, `i` and the next, with themselves, those behind them, and the readings: so many at a time that the sums do not
     /// wait for each other.
     #[inline(always)]
-    fn of_two<K: Kernel<T>>(&mut self, kernel: K, i: usize, two: [&Column<T>; 2], b: &[Column<T>], e: &Column<T>) {
+    fn set_two<K: Kernel<T>>(&mut self, kernel: K, i: usize, two: [&Column<T>; 2], b: &[Column<T>], e: &Column<T>) {
         let (mut k, mut rest) = (i, b.get(i..).unwrap_or_default());
         loop {
             match rest {
@@ -246,7 +255,7 @@ impl<T: Real, const P: usize> Products<T, P> {
             let sums = sums.iter_mut().zip(products).take(n).skip(i);
             sums.for_each(|(sum, &product)| *sum += product);
         }
-        self.with_y.iter_mut().zip(other.with_y).for_each(|(sum, product)| *sum += product);
+        self.with_y.iter_mut().zip(other.with_y).take(n).for_each(|(sum, product)| *sum += product);
         self.yy += other.yy;
     }
 

@@ -27,10 +27,17 @@ pub trait Real: Float + NumAssign + nalgebra::Scalar + Copy + Debug + Display {
 
     /// Sine and cosine of an angle in rad, calculated in this type alone.
     fn sine_cosine(self) -> (Self, Self);
+
+    /// [`sine_cosine`](Self::sine_cosine) up to a last place, where a type has one that a loop over many angles becomes vector
+    /// instructions of; that may have no numbers for an angle that is far from zero.
+    #[inline(always)]
+    fn near_sine_cosine(self) -> (Self, Self) {
+        self.sine_cosine()
+    }
 }
 
 macro_rules! real {
-    ($($t:ty, $least:expr, $most:expr, $sine_cosine:path;)*) => {$(
+    ($($t:ty, $least:expr, $most:expr, $sine_cosine:path, $near:path;)*) => {$(
         impl Real for $t {
             const LEAST: Self = $least;
             const MOST: Self = $most;
@@ -62,11 +69,16 @@ macro_rules! real {
             fn sine_cosine(self) -> (Self, Self) {
                 $sine_cosine(self)
             }
+
+            #[inline(always)]
+            fn near_sine_cosine(self) -> (Self, Self) {
+                $near(self)
+            }
         }
     )*};
 }
 // 2⁻¹⁰⁰ and 2⁹⁰, 2⁻⁸⁰⁰ and 2⁸⁰⁰: an exponent and a mantissa of one.
 real! {
-    f32, f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 90) << 23), trig::sin_cos;
-    f64, f64::from_bits((1023 - 800) << 52), f64::from_bits((1023 + 800) << 52), Float::sin_cos;
+    f32, f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 90) << 23), trig::sin_cos, trig::sin_cos;
+    f64, f64::from_bits((1023 - 800) << 52), f64::from_bits((1023 + 800) << 52), Float::sin_cos, trig::double::near_sine_cosine;
 }

@@ -62,6 +62,6 @@ impl<T: Real, const P: usize> Solution<T, P> {
 
 /// Scalar product.
 #[inline]
-pub(super) fn dot<T: Real, const P: usize>(a: &[T; P], b: &[T; P]) -> T {
+pub(super) fn dot<T: Real>(a: &[T], b: &[T]) -> T {
     a.iter().zip(b).fold(T::zero(), |sum, (&a, &b)| sum + a * b)
 }

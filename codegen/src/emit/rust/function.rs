@@ -9,12 +9,12 @@ use crate::emit::function::{Form, Function};
 use crate::emit::layout::{WIDTH, wrapped};
 use crate::emit::names::{Names, Scope};
 
-/// `pub fn name<T: Real>(r: T, a: T) -> [T; 10]` under the name it has in the scope around it. Several results are
+/// `pub fn name<T: Number>(r: T, a: T) -> [T; 10]` under the name it has in the scope around it. Several results are
 /// returned as a tuple.
 pub(super) fn item(function: &Function, called: &str, support: &Support) -> TokenStream {
     let names = Names::new(function, called, &Scope::new::<&str>(LOCAL, &[]));
     let expressions = Expressions::new(&function.program, &names);
-    let (name, real) = (ident(&names.function), &support.real);
+    let (name, number) = (ident(&names.function), &support.number);
     let docs = docs(&function.documentation(&names.inputs));
     let kinds = function.filled().map(|(_, form)| kind(*form));
     let elements: Vec<Ident> = names.outputs.iter().map(|name| ident(name)).collect();
@@ -46,7 +46,7 @@ pub(super) fn item(function: &Function, called: &str, support: &Support) -> Toke
         #docs
         #[must_use]
         #many
-        pub fn #name<T: #real>(#(#parameters: T),*) -> #kind {
+        pub fn #name<T: #number>(#(#parameters: T),*) -> #kind {
             #(#groups)*
             #result
         }

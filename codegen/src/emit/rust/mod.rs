@@ -1,5 +1,6 @@
 //! Rust, generic over the scalar, for `core` and `trunnion-solver`: no allocation, no index, no panic.
 
+mod block;
 mod estimate;
 mod expression;
 mod function;
@@ -26,20 +27,22 @@ pub struct Support {
     module: TokenStream,
     /// How code names its trait `Real`.
     real: TokenStream,
+    /// How code names its trait `Number`.
+    number: TokenStream,
 }
 
 impl Support {
     /// For the tokens of a macro: `module` is named in full wherever it is meant.
     #[must_use]
     pub fn in_macro(module: &TokenStream) -> Self {
-        Self { path: None, module: module.clone(), real: quote!(#module::Real) }
+        Self { path: None, module: module.clone(), real: quote!(#module::Real), number: quote!(#module::Number) }
     }
 
     /// For a file, which uses `module` at its head and has blank lines.
     #[must_use]
     pub fn in_file(module: &TokenStream) -> Self {
         let name = module.clone().into_iter().last();
-        Self { path: Some(module.clone()), module: quote!(#name), real: quote!(Real) }
+        Self { path: Some(module.clone()), module: quote!(#name), real: quote!(Real), number: quote!(Number) }
     }
 
     /// For a file of a crate that depends on `trunnion-solver`.

@@ -8,7 +8,7 @@ use super::function::{docs, item};
 use super::joint::{Estimator, joint};
 use super::printed::{Owner, Printed};
 use super::two_step::two_step;
-use super::{Support, blank};
+use super::{Support, blank, block};
 use crate::graph::Unbound;
 use crate::identify::Derivation;
 use crate::model::Model;
@@ -43,12 +43,15 @@ pub fn model_items(
         let item = item(f, &name.to_string(), support);
         quote!(#blank #item)
     });
+    let seeing = printed.rows.iter().filter(|row| !derivation.runs[row.run].regressors.is_empty());
+    let blocks = seeing.map(|row| block::rows(&printed, row));
     let own = quote! {
         /// Names of the base parameters, the estimated functions' coefficients first.
         pub const NAMES: [&str; #count] = [#(#names),*];
         #(#positions)*
         #(#blank #constants)*
         #(#functions)*
+        #(#blank #blocks)*
         #(#constructors)*
     };
     let own = match owner {

@@ -39,6 +39,8 @@ pub(super) struct Row {
     pub run: RunId,
     pub function: Function,
     pub name: Ident,
+    /// The function that gives many rows.
+    pub block: Ident,
     /// The constant that says which base parameters it holds.
     pub positions: Ident,
 }
@@ -63,13 +65,19 @@ impl<'a> Printed<'a> {
             let function = run(model, derivation, at)?;
             let plain = CONSTANT.sanitised(&function.name).to_uppercase();
             let (name, positions) = (functions.claim(&function.name), constants.claim_as(&plain));
-            Ok(Row { run: at, name: ident(&name), positions: ident(&positions), function })
+            let block = ident("rows");
+            Ok(Row { run: at, name: ident(&name), block, positions: ident(&positions), function })
         };
-        let rows = derivation.runs.keys().map(row).collect::<Result<_, _>>()?;
+        let mut rows: Vec<Row> = derivation.runs.keys().map(row).collect::<Result<_, _>>()?;
         let own = estimated(model, derivation)?.into_iter();
         let own = own.map(|function| Estimated { name: ident(&functions.claim(&function.basis.name)), function });
+        let own = own.collect();
+        // What people write has its name first.
+        for row in &mut rows {
+            row.block = ident(&functions.claim(&format!("rows_of_{}", row.name)));
+        }
         let lengths = model.alphabet.constants().map(|name| (ident(&fields.claim(name)), name.to_owned()));
-        Ok(Self { model, derivation, support, owner, rows, functions: own.collect(), lengths: lengths.collect() })
+        Ok(Self { model, derivation, support, owner, rows, functions: own, lengths: lengths.collect() })
     }
 
     /// Number of base parameters.

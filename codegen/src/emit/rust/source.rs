@@ -22,7 +22,7 @@ pub fn source(functions: &[Function], made_from: &str, support: &Support) -> Str
         quote!(#blank #item)
     });
     let items: TokenStream = items.collect();
-    header("//", made_from) + &laid_out(quote!(#blank use #path::Real; #items))
+    header("//", made_from) + &laid_out(quote!(#blank use #path::Number; #items))
 }
 
 /// A model as a Rust module: names, what each run sees, the functions, the estimators.
@@ -32,7 +32,7 @@ pub fn source(functions: &[Function], made_from: &str, support: &Support) -> Str
 pub fn model_source(model: &Model, derivation: &Derivation, support: &Support) -> Result<String, Unbound> {
     let items = model_items(model, derivation, &Owner::Module, support)?;
     let (path, blank) = (&support.path, blank(support));
-    Ok(header("//", &model.name) + &laid_out(quote!(#blank use #path::{self, Real}; #items)))
+    Ok(header("//", &model.name) + &laid_out(quote!(#blank use #path::{self, Number, Real}; #items)))
 }
 
 /// Formats items and puts the blank lines in; tokens that are no items are left as they are.
