@@ -5,7 +5,7 @@ use super::upper::Upper;
 use super::{Column, Kernel, Real};
 
 /// As much as B'B may come to for each column: so many times the samples that the triangle has already.
-const MOST_OF_A_COLUMN: f64 = 16.0;
+const MOST_OF_A_COLUMN: f64 = 4.0;
 
 /// Sums over rows A, with readings y, that are to be added to a triangle R with right-hand side q.
 ///

@@ -1,11 +1,54 @@
-//! The blocked factor with rows of a run-time model, as the program fits recorded data.
+//! The blocked factor: with generated rows, as a program with a model of its own has them, and with those of a model read at run time.
 
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::model::run;
 use trunnion_codegen::graph::{BlockEvaluator, LANES, Tape};
 use trunnion_codegen::identify::derive;
 use trunnion_solver::lstsq::Step;
-use trunnion_solver::sized::{Block, Columns, ROWS, Work, estimator, vectorised};
+use trunnion_solver::sized::{Block, Column, Columns, ROWS, Work, blocks, estimator, spread, vectorised};
+use trunnion_solver::tilting::{rows_of_separation, rows_of_tilting};
+
+/// Generated rows of both runs.
+struct Rows<'a> {
+    radius: f64,
+    angles: &'a Column<f64>,
+    tilting: &'a mut [Column<f64>; 12],
+    separation: &'a mut [Column<f64>; 8],
+}
+
+impl Work for Rows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn work(self) {
+        rows_of_tilting(self.radius, self.angles, self.tilting);
+        rows_of_separation(self.radius, self.angles, self.separation);
+    }
+}
+
+/// A fit with generated rows.
+pub fn fit(radius: f64, angles: &[f64], readings: &[Vec<f64>; 2]) -> Vec<f64> {
+    // Of the tilting run, the coefficients that only it sees come first: k6, k7, k8 are copied before e_xa1 and e_xa2.
+    let columns =
+        Columns { first: vec![2, 3, 4, 5, 6, 10, 11, 12], own: vec![7, 8, 9, 0, 1], given: vec![2, 3, 4, 5, 6] };
+    let mut problem = estimator(&columns).expect("a size");
+    let (mut tilting, mut separation) = ([[0.0; ROWS]; 15], [[0.0; ROWS]; 8]);
+    let (mut a, mut y) = ([0.0; ROWS], [[0.0; ROWS]; 2]);
+    for block in 0..blocks(angles.len()) {
+        let count = spread(angles, block, &mut a);
+        for (y, readings) in y.iter_mut().zip(readings) {
+            spread(readings, block, y);
+        }
+        let of_tilting = tilting.last_chunk_mut().expect("twelve columns");
+        vectorised(Rows { radius, angles: &a, tilting: of_tilting, separation: &mut separation });
+        tilting.copy_within(10..13, 0);
+        let [first, second] = &mut y;
+        let pushed = Block { columns: &mut tilting[..10], y: first };
+        problem.push(Step::Second, pushed, count, 1.0).expect("samples");
+        problem.push(Step::First, Block { columns: &mut separation, y: second }, count, 1.0).expect("samples");
+    }
+    problem.solve(None).ok().expect("a whole turn").coefficients.as_slice().to_vec()
+}
 
 /// The tapes of both runs' rows, and what each step's columns are.
 pub struct Model {
@@ -49,19 +92,20 @@ impl Model {
         {
             let mut rows = tape.block_evaluator();
             rows.inputs()[0] = [radius; LANES];
-            let (mut columns, mut y) = (vec![[0.0; ROWS]; places.len()], [0.0; ROWS]);
-            for (angles, readings) in angles.chunks(ROWS).zip(readings.chunks(ROWS)) {
-                for (half, angles) in angles.chunks(LANES).enumerate() {
-                    rows.inputs()[1][..angles.len()].copy_from_slice(angles);
+            let (mut columns, mut a, mut y) = (vec![[0.0; ROWS]; places.len()], [0.0; ROWS], [0.0; ROWS]);
+            for block in 0..blocks(angles.len()) {
+                let count = spread(angles, block, &mut a);
+                spread(readings, block, &mut y);
+                for (half, angles) in a.chunks(LANES).enumerate() {
+                    rows.inputs()[1].copy_from_slice(angles);
                     vectorised(Evaluate(&mut rows));
                     for (at, &place) in places.iter().enumerate() {
                         let x = rows.output(at).expect("a regressor");
                         columns[place][half * LANES..(half + 1) * LANES].copy_from_slice(x);
                     }
                 }
-                y[..readings.len()].copy_from_slice(readings);
                 let block = Block { columns: &mut columns, y: &mut y };
-                problem.push(step, block, readings.len(), 1.0).expect("samples");
+                problem.push(step, block, count, 1.0).expect("samples");
             }
         }
         problem.solve(None).ok().expect("a whole turn").coefficients.as_slice().to_vec()
