@@ -6,14 +6,13 @@ use super::number::{self, length};
 use super::output::say;
 use super::stated::RangeArguments;
 use clap::Args;
-use std::f64::consts::TAU;
 use std::path::{Path as FilePath, PathBuf};
 use trunnion::data::{Files, Guard, PROJECT, read_positions, read_text};
 use trunnion::program::{Control, Probing, Program};
 use trunnion::project::{self, Planned};
 use trunnion::study::plan::positions::{PositionsError, unread};
-use trunnion::study::plan::{Intended, predict, predict_at};
-use trunnion::study::{Estimator, Measurement, Path, Setup};
+use trunnion::study::plan::predict_at;
+use trunnion::study::{Estimator, Measurement, Path, Setup, grid};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::problems::Named;
 use trunnion_codegen::quantity::Unit;
@@ -63,28 +62,23 @@ impl NewArguments {
         let measurements = setup.measurements();
         let stops = self.stops(&setup, &measurements)?;
         let probed = stops.is_some();
-        // What a standard deviation of 1 µm of the readings makes of each function.
-        let sigma = Unit::Um.to_inner(1.0);
-        let prediction = match &stops {
-            Some(positions) => {
-                let stopping = unread(&setup, &measurements, positions);
-                predict_at(&setup, &stopping, &stopping, sigma, Estimator::Joint)?
-            }
-            None => predict(&setup, Intended { samples: SAMPLES, range: (0.0, TAU), sigma }, Estimator::Joint)?,
-        };
-        let counts = || stops.iter().flatten().map(Vec::len);
-        let samples = counts().next().unwrap_or(SAMPLES);
-        let samples = counts().all(|count| count == samples).then_some(samples);
-        let path = |(at, measurement): (usize, Measurement)| {
+        let stopped = |at: usize| stops.as_ref()?.get(at).filter(|_| measurements[at].is_displacement()).cloned();
+        let path = |(at, measurement): (usize, &Measurement)| {
             let run = measurement.first()?;
-            let own = stops.as_ref().and_then(|stops| stops.get(at)).filter(|_| measurement.is_displacement());
-            let path = own.map_or_else(
-                || setup.path(run, self.overshoot.to_radians()),
-                |sweeps| setup.positions(run, sweeps.clone()),
-            );
-            Some((measurement, path))
+            let driven = || setup.path(run, self.overshoot.to_radians());
+            let path = stopped(at).map_or_else(driven, |sweeps| Ok(setup.positions(run, sweeps)));
+            Some(path.map(|path| (measurement.clone(), path)))
         };
-        let paths: Vec<(Measurement, Path)> = measurements.into_iter().enumerate().filter_map(path).collect();
+        let paths: Vec<(Measurement, Path)> =
+            measurements.iter().enumerate().filter_map(path).collect::<Result<_, _>>()?;
+        let swept = |(at, (_, path)): (usize, &(Measurement, Path))| {
+            stopped(at).unwrap_or_else(|| grid(SAMPLES, path.measured.into()))
+        };
+        let read: Vec<Vec<f64>> = paths.iter().enumerate().map(swept).collect();
+        // What a standard deviation of 1 µm of the readings makes of each function.
+        let unread = unread(&setup, &measurements, &read);
+        let prediction = predict_at(&setup, &unread, &unread, Unit::Um.to_inner(1.0), Estimator::Joint)?;
+        let samples = read.first().map(Vec::len).filter(|first| read.iter().all(|own| own.len() == *first));
         let mut files = Files::default();
         let Named { name, text } = &source.described.model;
         // A model file comes along.
