@@ -5,7 +5,7 @@
 //! a = [-90, -85, 30]
 //! ```
 
-use super::limits::MOST_POSITIONS;
+use super::limits::POSITIONS;
 use crate::study::{Measurement, OutOfRange, Setup, decimal};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -45,7 +45,7 @@ pub enum PositionsProblem {
     #[error("no positions of run {0}\n  expected some of each run")]
     Missing(String),
     /// So few, or so many, that they are no run.
-    #[error("line {line}: {count} positions\n  expected {least} to {MOST_POSITIONS}")]
+    #[error("line {line}: {count} positions\n  expected {least} to {POSITIONS}")]
     Count {
         /// Counted from 1.
         line: usize,
@@ -98,7 +98,7 @@ pub fn read_positions(
         let own = file.positions_deg.remove(&measurement.name).ok_or_else(missing)?;
         let (at, own) = (line(own.span().start), own.into_inner());
         let least = setup.least(&measurement.runs);
-        if !(least..=MOST_POSITIONS).contains(&own.len()) {
+        if !(least..=POSITIONS).contains(&own.len()) {
             return Err(PositionsProblem::Count { line: at, least, count: own.len() });
         }
         let mut sweeps: Vec<f64> = Vec::new();
