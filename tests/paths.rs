@@ -28,8 +28,8 @@ fn degrees(ends: [f64; 2]) -> [f64; 2] {
     ends.map(|end| (end.to_degrees() * 1e6).round() / 1e6)
 }
 
-/// Whether the axes have somewhere to come to speed, and no coordinate of a block is beyond a range.
-fn is_held(setup: &Setup, run: RunId) {
+/// A path on which the axes have somewhere to come to speed, and no coordinate of a block is beyond a range.
+fn held(setup: &Setup, run: RunId) -> Path {
     let name = &setup.model.runs[run].name;
     let path = path(setup, run);
     let [first, last] = [path.sweeps[0], path.sweeps[path.sweeps.len() - 1]];
@@ -66,6 +66,7 @@ fn is_held(setup: &Setup, run: RunId) {
     let (fed, way) = (usize::from(path.outward.is_some()), path.sweeps.len() - 1);
     let own = &feeds[fed..fed + way];
     assert!(own.iter().all(|feed| *feed == own[0]), "{name}");
+    path
 }
 
 #[test]
@@ -73,8 +74,7 @@ fn every_path_of_the_catalogue_has_the_axes_at_speed_within_their_ranges() {
     for (model, _) in MODELS {
         let setup = setup(model, &[]);
         for run in setup.model.runs.keys() {
-            is_held(&setup, run);
-            let path = path(&setup, run);
+            let path = held(&setup, run);
             let (from, to) = setup.sweep_range(run, (0.0, TAU));
             let [low, high] = degrees(path.measured);
             let whole = degrees([from, to]);
@@ -106,8 +106,7 @@ fn the_feed_in_is_within_the_ranges_of_linear_axes() {
                 })
                 .collect();
             let tight = setup(model, &ranges);
-            is_held(&tight, run);
-            moved += usize::from(path(&tight, run).measured != own.measured);
+            moved += usize::from(held(&tight, run).measured != own.measured);
         }
     }
     assert!(moved > 0, "{FEED_IN} mm fit everywhere");

@@ -32,7 +32,7 @@ pub struct NewArguments {
     /// Degrees of the sweep a minute in the NC programs.
     #[arg(long, value_name = "DEG", default_value_t = 360.0, value_parser = number::rate, allow_negative_numbers = true)]
     rate: f64,
-    /// Degrees by which the NC programs go on beyond both ends of what is measured, where the axes can.
+    /// Degrees by which the NC programs go on beyond both ends of what is measured; where an axis' range ends, less is measured.
     #[arg(long, value_name = "DEG", default_value_t = 5.0, value_parser = number::beyond, allow_negative_numbers = true)]
     overshoot: f64,
     /// Positions of a touch probe in each run that reads three displacements: its programs stop there and find a sphere's centre,
