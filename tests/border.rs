@@ -1,16 +1,14 @@
 //! Numbers and texts where they come in: each refused with its name, its value and what is accepted.
 
+mod program;
+
+use program::{succeeds, trunnion};
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn run(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
 
 /// Exit code 2, nothing on standard output, all of this in the message and what was expected.
 fn refused(directory: &Path, arguments: &[&str], told: &[&str]) {
-    let output = run(directory, arguments);
+    let output = trunnion(directory, arguments);
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
     assert!(output.stdout.is_empty(), "{arguments:?}");
@@ -99,7 +97,7 @@ fn an_option_without_effect_is_refused() {
         &["plan", "rotary-table-c", "--for", "ECC", "--radius", "100,150"],
     ];
     for arguments in ignored {
-        let output = run(at, arguments);
+        let output = trunnion(at, arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
         assert!(output.stdout.is_empty());
     }
@@ -132,17 +130,13 @@ fn encodings_are_read_or_named() {
     let machine = include_str!("../src/exechon/xt700.toml");
     let model = trunnion_codegen::catalogue::source("tilting-table-a").unwrap();
     let utf16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>();
-    let good = |arguments: &[&str]| {
-        let output = run(at, arguments);
-        assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    };
     fs::write(at.join("t.csv"), TOUCHES).unwrap();
     // What a person writes for this program is UTF-8.
     let commands: [(&str, &[&str]); 2] =
         [(machine, &["exechon", "offset", "t.csv", "--machine", "f"]), (model, &["derive", "f"])];
     for (text, arguments) in commands {
         fs::write(at.join("f"), format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
-        good(arguments);
+        succeeds(at, arguments);
         fs::write(at.join("f"), utf16(&format!("\u{feff}{text}"))).unwrap();
         refused(at, arguments, &["f:", "UTF-16"]);
         fs::write(at.join("f"), utf16(text)).unwrap();
@@ -154,7 +148,7 @@ fn encodings_are_read_or_named() {
     let latin = [b"# \n# \xb5m, \xe9tabli\n", TOUCHES.as_bytes()].concat();
     for bytes in [format!("\u{feff}{TOUCHES}").into(), utf16(TOUCHES), utf16(&format!("\u{feff}{TOUCHES}")), latin] {
         fs::write(at.join("f"), bytes).unwrap();
-        good(&["exechon", "offset", "f"]);
+        succeeds(at, &["exechon", "offset", "f"]);
     }
 }
 

@@ -1,5 +1,8 @@
 //! What is written: never in place of something else, whole or not at all, nothing left behind.
 
+mod program;
+
+use program::{succeeds, trunnion};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -15,16 +18,6 @@ fn command(directory: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_trunnion"));
     command.current_dir(directory).args(arguments);
     command
-}
-
-fn run(directory: &Path, arguments: &[&str]) -> Output {
-    command(directory, arguments).output().unwrap()
-}
-
-fn good(directory: &Path, arguments: &[&str]) -> String {
-    let output = run(directory, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
 }
 
 /// Exit code 2, this in the message and a remedy below it.
@@ -58,8 +51,8 @@ fn an_output_never_replaces_an_input() {
     let ik = ["exechon", "ik", "p.csv", "--machine", "m.toml", "--svg"];
     let before = names(at);
     for own in ["p.csv", "m.toml", "./p.csv", "again.csv"] {
-        refused(&run(at, &[&ik[..], &[own]].concat()), "the command reads this file");
-        refused(&run(at, &[&ik[..], &[own, "--force"]].concat()), "the command reads this file");
+        refused(&trunnion(at, &[&ik[..], &[own]].concat()), "the command reads this file");
+        refused(&trunnion(at, &[&ik[..], &[own, "--force"]].concat()), "the command reads this file");
     }
     assert_eq!((names(at), fs::read_to_string(at.join("p.csv")).unwrap()), (before, POSES.to_owned()));
 }
@@ -68,7 +61,7 @@ fn an_output_never_replaces_an_input() {
 fn only_earlier_pictures_are_replaced() {
     let directory = poses();
     let at = directory.path();
-    let ik = |more: &[&str]| run(at, &[&["exechon", "ik", "p.csv", "--svg"][..], more].concat());
+    let ik = |more: &[&str]| trunnion(at, &[&["exechon", "ik", "p.csv", "--svg"][..], more].concat());
     fs::write(at.join("notes.svg"), "<svg>mine</svg>").unwrap();
     refused(&ik(&["notes.svg"]), "notes.svg: this file is not one that was written here before");
     assert_eq!(fs::read_to_string(at.join("notes.svg")).unwrap(), "<svg>mine</svg>");
@@ -79,7 +72,7 @@ fn only_earlier_pictures_are_replaced() {
     refused(&ik(&["d", "--force"]), "this is no file");
     refused(&ik(&["none/new.svg"]), "none/new.svg: cannot be written");
     assert_eq!(names(at), of(&["p.csv", "notes.svg", "new.svg", "d"]));
-    let unasked = run(at, &["exechon", "ik", "p.csv", "--force"]);
+    let unasked = trunnion(at, &["exechon", "ik", "p.csv", "--force"]);
     assert_eq!(unasked.status.code(), Some(2), "an option without effect");
 }
 
@@ -87,14 +80,14 @@ fn only_earlier_pictures_are_replaced() {
 fn a_set_replaces_an_earlier_one_and_nothing_else() {
     let directory = tempfile::tempdir().unwrap();
     let at = directory.path();
-    let (out, simulate) = (at.join("out"), |more: &[&str]| run(at, &[&SIMULATE[..], &["out"], more].concat()));
+    let (out, simulate) = (at.join("out"), |more: &[&str]| trunnion(at, &[&SIMULATE[..], &["out"], more].concat()));
     let set = ["tilting.csv", "separation.csv", "table.csv", "truth.json"];
-    good(at, &["simulate", "rotary-table-c", "--out", "out"]);
+    succeeds(at, &["simulate", "rotary-table-c", "--out", "out"]);
     assert!(simulate(&[]).status.success());
     assert_eq!((names(&out), names(at)), (of(&set), of(&["out"])), "the other model's runs are gone");
     fs::write(out.join("notes"), "mine").unwrap();
     fs::write(out.join(".keep"), "").unwrap();
-    good(at, &["simulate", "rotary-table-c", "--out", "out"]);
+    succeeds(at, &["simulate", "rotary-table-c", "--out", "out"]);
     assert!(simulate(&[]).status.success());
     let with_notes = of(&[&set[..], &["notes", ".keep"]].concat());
     assert_eq!(names(&out), with_notes);
@@ -137,12 +130,12 @@ mod unix {
         fs::create_dir(at.join("elsewhere")).unwrap();
         symlink("elsewhere/real.svg", at.join("link.svg")).unwrap();
         symlink("elsewhere", at.join("out")).unwrap();
-        let ik = |svg| run(at, &["exechon", "ik", "p.csv", "--svg", svg]);
+        let ik = |svg| trunnion(at, &["exechon", "ik", "p.csv", "--svg", svg]);
         for _ in 0..2 {
             assert!(ik("link.svg").status.success());
         }
         assert!(at.join("link.svg").is_symlink() && at.join("elsewhere/real.svg").is_file());
-        good(at, &[&SIMULATE[..], &["out"]].concat());
+        succeeds(at, &[&SIMULATE[..], &["out"]].concat());
         assert!(at.join("out").is_symlink() && at.join("elsewhere/truth.json").is_file());
         let shown = String::from_utf8(ik("/dev/stdout").stdout).unwrap();
         assert!(shown.starts_with("<svg") && shown.contains("\nx_mm,"));
@@ -169,7 +162,7 @@ mod unix {
             refused(&command(at, arguments).stdout(writer).output().unwrap(), "standard output: broken pipe");
         }
         refused(
-            &run(at, &["exechon", "ik", "p.csv", "--svg", "/dev/full"]),
+            &trunnion(at, &["exechon", "ik", "p.csv", "--svg", "/dev/full"]),
             "/dev/full: cannot be written: no storage",
         );
         let closed = |arguments: &str, to: &str| {
@@ -203,14 +196,14 @@ mod unix {
             fs::create_dir_all(at.join(held)).unwrap();
             let lock = File::open(at.join(held)).unwrap();
             lock.try_lock().unwrap();
-            refused(&run(at, &simulate), "out: another process is writing this");
+            refused(&trunnion(at, &simulate), "out: another process is writing this");
             drop(lock);
-            good(at, &simulate);
+            succeeds(at, &simulate);
             assert_eq!(names(at), of(&["out"]));
         }
         let inode = || fs::metadata(at.join("out")).unwrap().ino();
         let before = inode();
-        good(&at.join("out"), &[&SIMULATE[..], &["."]].concat());
+        succeeds(&at.join("out"), &[&SIMULATE[..], &["."]].concat());
         assert_eq!(inode(), before, "somebody works here");
     }
 
@@ -225,7 +218,7 @@ mod unix {
         }
         let took = |arguments: &[&str]| {
             let started = Instant::now();
-            good(at, arguments);
+            succeeds(at, arguments);
             started.elapsed()
         };
         let (of_demo, of_simulate) = (took(&demo), took(&simulate("0")));
@@ -260,7 +253,7 @@ mod unix {
             let sets = ["out", "demo", "pictures"];
             assert!(names(at).iter().all(|name| name.starts_with('.') || sets.contains(&name.as_str())));
         }
-        [simulate("1"), demo.to_vec(), pictures.to_vec()].iter().for_each(|arguments| drop(good(at, arguments)));
+        [simulate("1"), demo.to_vec(), pictures.to_vec()].iter().for_each(|arguments| drop(succeeds(at, arguments)));
         assert_eq!(names(at), of(&["out", "demo", "pictures"]), "the next run clears");
     }
 
@@ -269,11 +262,11 @@ mod unix {
     fn a_killed_fit_leaves_whole_files_or_none() {
         let directory = tempfile::tempdir().unwrap();
         let at = directory.path();
-        good(at, &[&SIMULATE[..], &["in"]].concat());
+        succeeds(at, &[&SIMULATE[..], &["in"]].concat());
         let runs = ["--run", "tilting=in/tilting.csv", "--run", "separation=in/separation.csv"];
         let fit = [&["fit", "tilting-table-a"], &runs[..], &["--report", "r.html", "--csv", "curves"]].concat();
         let started = Instant::now();
-        good(at, &fit);
+        succeeds(at, &fit);
         let usual = started.elapsed();
         let mut random = 7u64;
         for turn in 0..24u32 {
@@ -301,7 +294,7 @@ mod unix {
                 assert_eq!(curve.lines().count(), 74, "turn {turn}");
             }
         }
-        good(at, &fit);
+        succeeds(at, &fit);
         assert_eq!(names(at), of(&["in", "r.html", "curves"]), "the next run clears");
     }
 

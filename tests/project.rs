@@ -219,7 +219,21 @@ fn a_new_folder_has_all_that_a_measurement_needs() {
     }
     let fitted = succeeds(&folder, &["fit"]);
     assert!(fitted.contains("e_xa") || fitted.contains("eps_xa"), "{fitted}");
-    assert!(refused(&folder, &["new", ".", "--out", "again"]).contains("is a project already"));
+
+    // What follows from the project is written anew, in its folder or elsewhere: the project and its readings stay.
+    assert!(refused(&folder, &["new"]).contains("--force"));
+    let before = read("trunnion.toml").replace("120", "110").replace("tilting-there", "mine");
+    fs::write(folder.join("trunnion.toml"), &before).unwrap();
+    succeeds(&folder, &["new", "--force"]);
+    let again = read("measuring-plan.md");
+    assert!(again.contains("sweep -25.0° to 105.0°") && again.contains("`mine.csv` and `tilting-back.csv`"), "{again}");
+    assert!(read("tilting.linuxcnc.ngc").contains("sweep -25.000 to 105.000"));
+    assert_eq!(read("trunnion.toml"), before);
+    assert!(folder.join("separation-there.csv").exists());
+    succeeds(&folder, &["new", "--out", "elsewhere"]);
+    assert_eq!(again, read("elsewhere/measuring-plan.md"));
+    assert!(!folder.join("elsewhere/trunnion.toml").exists());
+    assert!(refused(&folder, &["new", "tilting-table-a"]).contains("no --out"));
 }
 
 #[test]

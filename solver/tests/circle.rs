@@ -74,6 +74,22 @@ fn what_has_no_circle() {
     assert_eq!(both(&[[1.0, 5.0], [2.0, 7.0], [1.0, 5.0], [2.0, 7.0]]), CircleError::InLine);
 }
 
+/// A thin ellipse and a strip are on no line, but every circle is farther from them than one.
+#[test]
+fn what_a_line_fits_better_than_any_circle() {
+    let place = |k: u32| f64::from(k) / 40.0 * std::f64::consts::TAU;
+    for thin in [1e-2, 1e-6, 1e-9] {
+        let ellipse: Vec<_> = (0..40).map(|k| [7.0 + 20.0 * place(k).cos(), 20.0 * thin * place(k).sin()]).collect();
+        let strip: Vec<_> = (0..40).map(|k| [f64::from(k), 40.0 * thin * f64::from(k % 2)]).collect();
+        for points in [ellipse, strip] {
+            assert_eq!(least_squares(&points).map(|fit| fit.circle), Err(CircleError::AlongLine), "{thin}");
+        }
+    }
+    // A thick one has its circle.
+    let ellipse: Vec<_> = (0..40).map(|k| [20.0 * place(k).cos(), 19.0 * place(k).sin()]).collect();
+    assert!(least_squares(&ellipse).is_ok());
+}
+
 #[test]
 fn three_points_say_nothing_of_their_scatter() {
     let points = [[17.8, 200.0], [-8.7, 215.2], [-8.8, 184.8], [2.0, 182.6]];

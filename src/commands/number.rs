@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
-use trunnion::data::limits::MOST_POSITIONS;
+use trunnion::data::limits::POSITIONS;
 
 /// A number of a type within a range, `above` being a bound that it has to be beyond itself.
 fn within<T: FromStr + PartialOrd + Display + Copy>(
@@ -55,7 +55,7 @@ pub fn goal(text: &str) -> Result<f64, String> {
 
 /// Positions at which something is probed.
 pub fn stops(text: &str) -> Result<usize, String> {
-    within(text, None, 3..=MOST_POSITIONS, "a number of positions")
+    within(text, None, 3..=POSITIONS, "a number of positions")
 }
 
 /// An angle between positions, degrees.

@@ -77,8 +77,8 @@ pub enum Refused {
     NoProject(String),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Project(PathBuf, ProjectError),
-    #[error("{0} is a project already\n  expected a name from `trunnion models`, or a model file")]
-    IsProject(String),
+    #[error("no --out\n  expected the folder to be made, or a project, whose plan and programs are then written anew")]
+    NoFolder,
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     History(PathBuf, HistoryError),
     #[error("--function {0}: not in the first report\n  expected one of {1}")]
@@ -121,6 +121,8 @@ pub enum Refused {
     Positions(#[from] PositionsError),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     PositionsFile(PathBuf, PositionsProblem),
+    #[error("{file}: {what}", file = .0.display(), what = .1)]
+    PositionsOf(PathBuf, &'static str),
     #[error("--samples {0}: too many\n  expected at most {1} for each of {2} runs")]
     Samples(u32, usize, usize),
     #[error("--function {0}: no function that this model estimates\n  expected one of {1}")]

@@ -27,4 +27,4 @@ pub const TAG: usize = 1 << 12;
 /// Declarations of namespaces in it.
 pub const NAMESPACES: usize = 64;
 /// Positions at which a run stops.
-pub const MOST_POSITIONS: usize = 1_000;
+pub const POSITIONS: usize = 1_000;

@@ -49,7 +49,7 @@ pub use output::{
     Files, Guard, WriteError, WriteProblem, discard_staged, remedy, write_atomically, write_picture, write_report,
     write_table,
 };
-pub use positions::{PositionsProblem, degrees, positions_text, read_positions};
+pub use positions::{Positions, PositionsProblem, degrees, positions_text};
 pub use project::{MachineAtHand, PROJECT, Project, ProjectError, ProjectRun};
 pub use radius::{Radius, RadiusError};
 pub use recorded::Recorded;

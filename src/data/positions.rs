@@ -1,11 +1,12 @@
-//! Positions of runs that stop, as `trunnion plan` proposes them and `trunnion new` takes them.
+//! Positions of runs that stop, as `trunnion plan` proposes them and `trunnion new` takes them: in a file of their own, or in the
+//! project's.
 //!
 //! ```toml
 //! [positions_deg]
 //! a = [-90, -85, 30]
 //! ```
 
-use super::limits::MOST_POSITIONS;
+use super::limits::POSITIONS;
 use crate::study::{Measurement, OutOfRange, Setup, decimal};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -45,7 +46,7 @@ pub enum PositionsProblem {
     #[error("no positions of run {0}\n  expected some of each run")]
     Missing(String),
     /// So few, or so many, that they are no run.
-    #[error("line {line}: {count} positions\n  expected {least} to {MOST_POSITIONS}")]
+    #[error("line {line}: {count} positions\n  expected {least} to {POSITIONS}")]
     Count {
         /// Counted from 1.
         line: usize,
@@ -72,55 +73,86 @@ pub enum PositionsProblem {
     },
 }
 
+/// The table as it stands: of each run the angles.
+pub(super) type Stated = BTreeMap<String, Spanned<Vec<Spanned<f64>>>>;
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    positions_deg: BTreeMap<String, Spanned<Vec<Spanned<f64>>>>,
+    positions_deg: Stated,
 }
 
-/// Reads positions: of each run the sweeps, rad, in the file's order.
-///
-/// # Errors
-/// [`PositionsProblem`]
-pub fn read_positions(
-    text: &str,
-    setup: &Setup,
-    measurements: &[Measurement],
-) -> Result<Vec<Vec<f64>>, PositionsProblem> {
-    let line = |at: usize| 1 + text.get(..at).unwrap_or(text).matches('\n').count();
-    let mut file: File = toml::from_str(text).map_err(|e| {
-        let line = line(e.span().map_or(0, |span| span.start));
-        PositionsProblem::Format { line, message: e.message().lines().collect::<Vec<_>>().join(", ") }
-    })?;
-    let mut positions = Vec::new();
-    for measurement in measurements {
-        let missing = || PositionsProblem::Missing(measurement.name.clone());
-        let own = file.positions_deg.remove(&measurement.name).ok_or_else(missing)?;
-        let (at, own) = (line(own.span().start), own.into_inner());
-        let least = setup.least(&measurement.runs);
-        if !(least..=MOST_POSITIONS).contains(&own.len()) {
-            return Err(PositionsProblem::Count { line: at, least, count: own.len() });
-        }
-        let mut sweeps: Vec<f64> = Vec::new();
-        for given in own {
-            let (at, given) = (line(given.span().start), given.into_inner());
-            let sweep = given.to_radians();
-            // NaN is within nothing.
-            let is_new = given.abs() <= MOST_DEG && !sweeps.contains(&sweep);
-            if !is_new {
-                return Err(PositionsProblem::Angle { line: at, given });
+/// Positions of runs that a file has, not yet held to a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Positions {
+    /// Of each run the line, and the angles, degrees, with theirs.
+    runs: BTreeMap<String, (usize, Vec<(usize, f64)>)>,
+}
+
+impl Positions {
+    /// Reads the text of a file that has nothing else.
+    ///
+    /// # Errors
+    /// [`PositionsProblem::Format`]
+    pub fn read(text: &str) -> Result<Self, PositionsProblem> {
+        let file: File = toml::from_str(text).map_err(|e| {
+            let line = lines(text)(e.span().map_or(0, |span| span.start));
+            PositionsProblem::Format { line, message: e.message().lines().collect::<Vec<_>>().join(", ") }
+        })?;
+        Ok(Self::of(file.positions_deg, text))
+    }
+
+    /// Those of a table of a text.
+    pub(super) fn of(stated: Stated, text: &str) -> Self {
+        let line = lines(text);
+        let angle = |given: Spanned<f64>| (line(given.span().start), given.into_inner());
+        let run = |(name, own): (String, Spanned<Vec<Spanned<f64>>>)| {
+            let at = line(own.span().start);
+            (name, (at, own.into_inner().into_iter().map(angle).collect()))
+        };
+        Self { runs: stated.into_iter().map(run).collect() }
+    }
+
+    /// Of each measurement of a model the sweeps, rad, in the file's order.
+    ///
+    /// # Errors
+    /// [`PositionsProblem`]
+    pub fn sweeps(&self, setup: &Setup, measurements: &[Measurement]) -> Result<Vec<Vec<f64>>, PositionsProblem> {
+        let mut positions = Vec::new();
+        for measurement in measurements {
+            let missing = || PositionsProblem::Missing(measurement.name.clone());
+            let (line, own) = self.runs.get(&measurement.name).ok_or_else(missing)?;
+            let least = setup.least(&measurement.runs);
+            if !(least..=POSITIONS).contains(&own.len()) {
+                return Err(PositionsProblem::Count { line: *line, least, count: own.len() });
             }
-            let reached = measurement.first().map_or(Ok(()), |run| setup.reaches(run, (sweep, sweep)));
-            reached.map_err(|what| PositionsProblem::OutOfRange { line: at, what })?;
-            sweeps.push(sweep);
+            let mut sweeps: Vec<f64> = Vec::new();
+            for &(line, given) in own {
+                let sweep = given.to_radians();
+                // NaN is within nothing.
+                let is_new = given.abs() <= MOST_DEG && !sweeps.contains(&sweep);
+                if !is_new {
+                    return Err(PositionsProblem::Angle { line, given });
+                }
+                let reached = measurement.first().map_or(Ok(()), |run| setup.reaches(run, (sweep, sweep)));
+                reached.map_err(|what| PositionsProblem::OutOfRange { line, what })?;
+                sweeps.push(sweep);
+            }
+            positions.push(sweeps);
         }
-        positions.push(sweeps);
+        let is_none = |run: &str| measurements.iter().all(|own| own.name != run);
+        if let Some((run, (line, _))) = self.runs.iter().find(|(run, _)| is_none(run)) {
+            let runs = measurements.iter().map(|own| own.name.as_str()).collect::<Vec<_>>().join(", ");
+            return Err(PositionsProblem::NoRun { line: *line, run: run.clone(), runs });
+        }
+        Ok(positions)
     }
-    if let Some((run, own)) = file.positions_deg.into_iter().next() {
-        let runs = measurements.iter().map(|own| own.name.as_str()).collect::<Vec<_>>().join(", ");
-        return Err(PositionsProblem::NoRun { line: line(own.span().start), run, runs });
-    }
-    Ok(positions)
+}
+
+/// The line of each place in a text, counted from 1.
+fn lines(text: &str) -> impl Fn(usize) -> usize {
+    let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
+    move |at| 1 + ends.partition_point(|end| *end < at)
 }
 
 /// The text of a file of positions, rad.

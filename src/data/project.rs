@@ -4,6 +4,7 @@
 //! over the model file's own, which reads it ([`Described`](trunnion_codegen::problems::Described)); here is the rest.
 
 use super::called::Columns;
+use super::positions::{Positions, Stated};
 use crate::study::{Estimator, MOST_WEIGHT};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -30,6 +31,8 @@ pub struct Project {
     pub table: Option<PathBuf>,
     /// What the columns of the runs' files are called where they have other names.
     pub columns: Columns,
+    /// Where the runs are probed.
+    pub positions: Option<Positions>,
     /// The runs that were made, by their names.
     pub runs: Vec<ProjectRun>,
 }
@@ -99,6 +102,7 @@ struct File {
     fit: Fit,
     #[serde(default)]
     columns: Columns,
+    positions_deg: Option<Stated>,
     #[serde(default)]
     run: BTreeMap<String, Run>,
     // Read with the model.
@@ -174,6 +178,7 @@ impl Project {
             robust: matches!(file.fit.robust, Some(Robust::Huber)),
             columns: file.columns,
             table: file.fit.table.map(|table| folder.join(table)),
+            positions: file.positions_deg.map(|stated| Positions::of(stated, text)),
             runs: file.run.into_iter().map(run).collect::<Result<_, _>>()?,
         })
     }
@@ -190,7 +195,8 @@ mod tests {
     #[test]
     fn a_project_names_its_model_and_its_files() {
         let text = "model = \"m\"\n[columns]\na = \"Angle [deg]\"\n[machine]\nserial = \"7\"\n[fit]\nestimator = \"two-step\"\nrobust = \"huber\"\ntable = \"t.csv\"\n\
-            [run.tilting]\nfiles = [\"a.csv\", \"b.csv\"]\nweight = 2\n[axis.A]\nrange = [0, 1]\n[lengths]\nR_mm = 3\n";
+            [run.tilting]\nfiles = [\"a.csv\", \"b.csv\"]\nweight = 2\n[axis.A]\nrange = [0, 1]\n[lengths]\nR_mm = 3\n\
+            [positions_deg]\na = [1, 2]\n";
         assert!(Project::is_one(text) && !Project::is_one("name = \"m\""));
         let project = read(text).unwrap();
         assert_eq!((project.model.as_str(), project.machine.serial.as_deref()), ("m", Some("7")));
@@ -198,6 +204,7 @@ mod tests {
         let folder = Path::new("a folder");
         assert_eq!(project.table, Some(folder.join("t.csv")));
         assert_eq!(project.columns, "a=Angle [deg]".parse().unwrap());
+        assert!(project.positions.is_some());
         let files = ["a.csv", "b.csv"].map(|file| folder.join(file)).to_vec();
         assert_eq!(project.runs, [ProjectRun { name: "tilting".to_owned(), files, weight: Some(2.0) }]);
     }
@@ -211,6 +218,7 @@ mod tests {
             ("model = \"m\"\n[run.t]\nfiles = []\n", "line 3: no file"),
             ("model = \"m\"\n[run.t]\nfiles = [\"a\"]\nweight = -1\n", "line 4: weight = -1.0"),
             ("model = \"m\"\n[columns]\na = \"\"\n", "line 2: "),
+            ("model = \"m\"\n[positions_deg]\na = [1,\n\"2\"]\n", "line 4: invalid type"),
             ("model = \"m\"\n[fit]\nestimator = \"both\"\n", "line 3: unknown variant"),
         ];
         for (text, told) in cases {

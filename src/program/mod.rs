@@ -12,14 +12,12 @@ mod sphere;
 pub use control::Control;
 pub use probing::Probing;
 
-use crate::study::Path;
+use crate::study::{FEED_IN, Path};
 use std::fmt::Write;
 use trunnion_codegen::model::AxisKind;
 use trunnion_codegen::problems::visible;
 
-/// The way by which a bar is shortened into the path, mm: an instrument begins to record there.
-const FEED_IN: f64 = 1.5;
-/// The feed of that, mm/min.
+/// The feed by which a bar is shortened into the path, mm/min.
 const FEED: f64 = 100.0;
 /// Before each way, s.
 const DWELL: f64 = 2.0;
@@ -54,6 +52,9 @@ impl Program<'_> {
             self.rate,
             path.overshoot.to_degrees()
         ));
+        if path.overshoot > 0.0 {
+            out.comment("that sweep is measured; beyond it the axes come to speed and to rest");
+        }
         out.comment("the zero point is the model's: set the work offset so that these coordinates hold");
         out.comment(
             "check the kinematics' limits and that nothing collides; prove it without the bar, at low override",

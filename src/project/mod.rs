@@ -27,12 +27,17 @@ pub struct Planned<'a> {
     pub samples: Option<usize>,
     /// Whether a touch probe finds a sphere at each position.
     pub probed: bool,
+    /// The files of readings that a project names already, by the measurement.
+    pub named: &'a [(String, Vec<String>)],
 }
 
 impl Planned<'_> {
-    /// The files of a measurement's readings: there, and back; one of a probe's.
+    /// The files of a measurement's readings: those that are named, or there, and back; one of a probe's.
     fn readings(&self, measurement: &Measurement) -> Vec<String> {
         let name = &measurement.name;
+        if let Some((_, files)) = self.named.iter().find(|(own, _)| own == name) {
+            return files.clone();
+        }
         if self.is_probed(measurement) {
             return vec![format!("{name}.csv")];
         }

@@ -146,6 +146,13 @@ fn one(planned: &Planned, at: usize, measurement: &Measurement, path: &Path, as_
             let _ = writeln!(out, "* Displacements, sweep {from:.1}° to {to:.1}°.");
         }
     }
+    if path.overshoot > 0.0 {
+        let _ = writeln!(
+            out,
+            "* The programs go on for {:.1}° beyond both ends, for the axes to come to speed and to rest: no readings from there.",
+            path.overshoot.to_degrees()
+        );
+    }
     for (whose, ball) in ["workpiece", "tool"].iter().zip(&path.balls) {
         let [x, y, z] = ball.map(|x| format!("{:.3}", x + 0.0));
         let _ = writeln!(out, "* Ball of the {whose} at ({x}, {y}, {z}) mm of what carries it.");

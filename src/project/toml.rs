@@ -1,7 +1,8 @@
 //! The project file.
 
 use super::Planned;
-use crate::study::{coordinate, decimal};
+use crate::data::positions_text;
+use crate::study::{Measurement, coordinate, decimal};
 use std::fmt::Write;
 use trunnion_codegen::model::{Axis, key, string};
 
@@ -29,6 +30,15 @@ pub fn project(planned: &Planned) -> String {
     out += "[fit]\nestimator = \"joint\"\n# robust = \"huber\"\n# table = \"table.csv\"         # known functions\n\n";
     out += "# What columns are called in files of other programs; with the unit stated, dr_um = \"Radius\".\n[columns]\n\
             # a = \"Angle [deg]\"\n# dr = \"Radius [µm]\"\n\n";
+    // Of runs of which some do not stop there would be no table.
+    if planned.paths.iter().all(|(measurement, _)| planned.is_probed(measurement)) {
+        let (measurements, sweeps): (Vec<Measurement>, Vec<Vec<f64>>) =
+            planned.paths.iter().map(|(measurement, path)| (measurement.clone(), path.sweeps.clone())).unzip();
+        let comment =
+            "Where the runs are probed. After a change `trunnion new --force` here writes plan and programs anew.";
+        out += &positions_text(comment, &measurements, &sweeps);
+        out.push('\n');
+    }
     for (measurement, _) in planned.paths {
         let files: Vec<String> = planned.readings(measurement).iter().map(|file| string(file)).collect();
         let files = files.join(", ");

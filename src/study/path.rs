@@ -1,11 +1,12 @@
 //! How the axes move in a run, point by point, for a control that moves in straight lines between points.
 
+use super::ends::Ends;
+use super::reach::OutOfRange;
 use super::setup::Setup;
+use super::visited::between;
 use std::f64::consts::TAU;
-use trunnion_codegen::algebra::{ErrorId, at};
-use trunnion_codegen::graph::LANES;
+use trunnion_codegen::algebra::at;
 use trunnion_codegen::ids::{AxisId, RunId};
-use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::model::{Axis, AxisKind, Run};
 
 /// How far a straight line between two points may be off the path, mm: 0.1 µm with what a program's five decimals are off.
@@ -26,7 +27,7 @@ pub struct Path {
     pub axes: Vec<(String, AxisKind)>,
     /// What is measured, from the first to the last sweep, rad.
     pub measured: [f64; 2],
-    /// How far the path goes on beyond both ends, rad: the axes come to speed there.
+    /// How far the path goes on beyond both ends of that, rad: the axes come to speed and to rest there.
     pub overshoot: f64,
     /// Sweeps from beyond one end to beyond the other, in equal steps, rad.
     pub sweeps: Vec<f64>,
@@ -37,26 +38,17 @@ pub struct Path {
     pub outward: Option<[Vec<f64>; 2]>,
 }
 
-/// A machine without errors.
-struct Perfect;
-
-impl ErrorValues for Perfect {
-    fn value(&self, _: ErrorId, _: f64) -> f64 {
-        0.0
-    }
-}
-
 impl Setup {
-    /// The path of a run over what of a turn its axes can reach, and `overshoot` (rad) beyond both ends where they can.
-    pub fn path(&self, run: RunId, overshoot: f64) -> Path {
-        let described = &self.model.runs[run];
-        let measured = self.sweep_range(run, (0.0, TAU));
-        let beyond = (measured.0 - overshoot, measured.1 + overshoot);
-        let overshoot = if self.reaches(run, beyond).is_ok() { overshoot } else { 0.0 };
-        let ends = (measured.0 - overshoot, measured.1 + overshoot);
+    /// The path of a run over what of a turn its axes can reach, with `overshoot` (rad) beyond both ends of what is measured: where an
+    /// axis cannot go on, less is measured.
+    ///
+    /// # Errors
+    /// [`OutOfRange`] where a linear axis has no room for the feed-in.
+    pub fn path(&self, run: RunId, overshoot: f64) -> Result<Path, OutOfRange> {
         let moved = self.moved(run);
+        let Ends { ends: [first, last], overshoot, outward } = self.ends(run, &moved, overshoot)?;
         let points = |steps: usize| {
-            let sweeps: Vec<f64> = (0..=steps).map(|i| ends.0 + (ends.1 - ends.0) * i as f64 / steps as f64).collect();
+            let sweeps: Vec<f64> = between((first, last), steps).collect();
             let points = self.points(run, &moved, &sweeps);
             (sweeps, points)
         };
@@ -66,17 +58,9 @@ impl Setup {
         let (looked_at, seen): (Vec<f64>, Vec<Vec<f64>>) = points(LOOKED_AT);
         let width = looked_at[1] - looked_at[0];
         let step = step(&seen, &weights, width);
-        let (sweeps, points) = points(((ends.1 - ends.0) / step).ceil().max(1.0) as usize);
-        Path {
-            axes: moved.iter().map(|(_, axis)| (axis.name.clone(), axis.kind)).collect(),
-            balls: [&described.workpiece_ball, &described.tool_ball]
-                .map(|ball| ball.at.each_ref().map(|p| at(p, &self.model.alphabet, measured.0, |n| self.constant(n)))),
-            measured: [measured.0, measured.1],
-            overshoot,
-            outward: self.outward(run, &moved, [ends.0, ends.1]),
-            sweeps,
-            points,
-        }
+        let (sweeps, points) = points(((last - first) / step).ceil().max(1.0) as usize);
+        let measured = [first + overshoot, last - overshoot];
+        Ok(Path { measured, overshoot, outward, sweeps, points, ..self.standing(run, first + overshoot) })
     }
 
     /// `count` values of a run's sweep, rad, evenly over what of a turn its axes can reach: a whole turn without its end.
@@ -89,8 +73,23 @@ impl Setup {
     /// A run that stops at values of its sweep, rad, in their order.
     pub fn positions(&self, run: RunId, sweeps: Vec<f64>) -> Path {
         let points = self.points(run, &self.moved(run), &sweeps);
-        let ends = sweeps.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], &x| [l.min(x), h.max(x)]);
-        Path { measured: ends, sweeps, points, outward: None, ..self.path(run, 0.0) }
+        let measured = sweeps.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], &x| [l.min(x), h.max(x)]);
+        Path { measured, sweeps, points, ..self.standing(run, measured[0]) }
+    }
+
+    /// A path of a run that goes nowhere yet, its balls as they are at a sweep.
+    fn standing(&self, run: RunId, sweep: f64) -> Path {
+        let Run { workpiece_ball, tool_ball, .. } = &self.model.runs[run];
+        let place = |p| at(p, &self.model.alphabet, sweep, |n| self.constant(n));
+        Path {
+            balls: [workpiece_ball, tool_ball].map(|ball| ball.at.each_ref().map(place)),
+            axes: self.moved(run).iter().map(|(_, axis)| (axis.name.clone(), axis.kind)).collect(),
+            measured: [sweep; 2],
+            overshoot: 0.0,
+            sweeps: Vec::new(),
+            points: Vec::new(),
+            outward: None,
+        }
     }
 
     /// The axes that move in a run, or stand at a coordinate.
@@ -103,40 +102,6 @@ impl Setup {
     fn points(&self, run: RunId, axes: &[(AxisId, &Axis)], sweeps: &[f64]) -> Vec<Vec<f64>> {
         let along: Vec<Vec<f64>> = axes.iter().map(|(id, _)| self.followed(run, *id, sweeps)).collect();
         (0..sweeps.len()).map(|i| along.iter().map(|axis| axis[i]).collect()).collect()
-    }
-
-    /// What the linear axes have to do to lengthen a bar by one, at two sweeps.
-    fn outward(&self, run: RunId, moved: &[(AxisId, &Axis)], ends: [f64; 2]) -> Option<[Vec<f64>; 2]> {
-        let bar = self.bar(run)?;
-        let exact = self.exact(run, &ends);
-        let mut balls = [[[0.0; LANES]; 3]; 2];
-        exact.run().balls(0, &Perfect, &mut balls);
-        let along = |end: usize| {
-            let unit: [f64; 3] = core::array::from_fn(|i| (balls[1][i][end] - balls[0][i][end]) / bar);
-            let mut left = unit;
-            let by = moved.iter().map(|(id, axis)| {
-                let Some(direction) = self.moves(*id, axis) else { return 0.0 };
-                let by: f64 = (0..3).map(|i| unit[i] * direction[i]).sum();
-                (0..3).for_each(|i| left[i] -= by * direction[i]);
-                by
-            });
-            let by: Vec<f64> = by.collect();
-            left.iter().all(|x| x.abs() < 1e-6).then_some(by)
-        };
-        Some([along(0)?, along(1)?])
-    }
-
-    /// Where a linear axis that no rotary one carries moves the tool against the workpiece.
-    fn moves(&self, id: AxisId, axis: &Axis) -> Option<[f64; 3]> {
-        let (workpiece, place) = (self.model.workpiece.len(), usize::from(id));
-        let (carriers, sign) = if place < workpiece {
-            (&self.model.workpiece[..place], -1.0)
-        } else {
-            (&self.model.tool[..place - workpiece], 1.0)
-        };
-        let carried = carriers.iter().any(|axis| axis.kind == AxisKind::Rotary);
-        let value = |p| sign * at(p, &self.model.alphabet, 0.0, |n| self.constant(n));
-        (axis.kind == AxisKind::Linear && !carried).then(|| axis.direction.each_ref().map(value))
     }
 }
 

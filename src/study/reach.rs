@@ -91,7 +91,7 @@ impl Setup {
         beyond
     }
 
-    fn out_of_range(&self, run: RunId, axis: AxisId, at: f64) -> OutOfRange {
+    pub(super) fn out_of_range(&self, run: RunId, axis: AxisId, at: f64) -> OutOfRange {
         let described = self.model.axis(axis);
         let unit = described.map_or(Unit::Mm, |a| coordinate(a).coordinate());
         let [low, high] = described.and_then(|a| a.range).unwrap_or_default().map(|end| unit.from_inner(end));

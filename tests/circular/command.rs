@@ -1,23 +1,28 @@
 //! `trunnion circular` as a user meets it.
 
+use crate::program;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 const CW: &str = "tests/reference/circular/cw.csv";
 const CCW: &str = "tests/reference/circular/ccw.csv";
 
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn of_bar<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
+    [&["circular", "--radius", "150"], arguments].concat()
+}
+
 fn trunnion(arguments: &[&str]) -> Output {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let arguments = ["circular", "--radius", "150"].iter().chain(arguments);
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(root).args(arguments).output().unwrap()
+    program::trunnion(root(), &of_bar(arguments))
 }
 
 fn succeeds(arguments: &[&str]) -> String {
-    let output = trunnion(arguments);
-    assert_eq!(output.status.code(), Some(0), "{}", str::from_utf8(&output.stderr).unwrap());
-    String::from_utf8(output.stdout).unwrap()
+    program::succeeds(root(), &of_bar(arguments))
 }
 
 fn refused(arguments: &[&str]) -> String {
@@ -28,12 +33,11 @@ fn refused(arguments: &[&str]) -> String {
 
 #[test]
 fn the_page_shows_what_the_command_prints() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let directory = tempfile::tempdir().unwrap();
     let picture = directory.path().join("circular.svg");
     let text = succeeds(&["--cw", CW, "--ccw", CCW, "--feed", "1000", "--svg", picture.to_str().unwrap()]);
     let drawn = fs::read_to_string(picture).unwrap();
-    let page = fs::read_to_string(root.join("docs/circular.md")).unwrap();
+    let page = fs::read_to_string(root().join("docs/circular.md")).unwrap();
     for line in text.lines() {
         assert!(page.contains(line.trim_end()), "docs/circular.md lacks: {line}");
     }
@@ -87,9 +91,8 @@ fn every_number_is_in_the_document() {
 
 #[test]
 fn one_file_with_both_paths_is_two_files() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let directory = tempfile::tempdir().unwrap();
-    let [ccw, cw] = [CCW, CW].map(|file| fs::read_to_string(root.join(file)).unwrap());
+    let [ccw, cw] = [CCW, CW].map(|file| fs::read_to_string(root().join(file)).unwrap());
     let (_, back) = cw.split_once('\n').unwrap();
     let both = directory.path().join("both.csv");
     fs::write(&both, ccw + back).unwrap();

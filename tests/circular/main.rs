@@ -4,6 +4,8 @@ mod command;
 mod effects;
 mod figures;
 mod machine;
+#[path = "../program/mod.rs"]
+mod program;
 mod zone;
 
 use trunnion::circular::{Circular, Effect, Estimate, Plane, Term, Test, Trace, Traces, Undetermined, circular};

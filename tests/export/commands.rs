@@ -1,17 +1,13 @@
 //! What a user meets: options, refusals, what is replaced, and what is said of a table.
 
+use crate::program::{succeeds, trunnion};
 use crate::readers;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 use tempfile::TempDir;
 
 const RUNS: [&str; 6] = ["--run", "tilting=tilting.csv", "--run", "separation=separation.csv", "--table", "table.csv"];
-
-fn trunnion(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap()
-}
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
@@ -19,8 +15,7 @@ fn text(bytes: &[u8]) -> String {
 
 fn simulated(model: &str) -> TempDir {
     let directory = tempfile::tempdir().unwrap();
-    let out = trunnion(directory.path(), &["simulate", model, "--seed", "3", "--out", "."]);
-    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    succeeds(directory.path(), &["simulate", model, "--seed", "3", "--out", "."]);
     directory
 }
 
@@ -60,8 +55,8 @@ fn a_table_is_written_and_told() {
     assert_eq!(table.lines().count(), 91);
     assert!(table.lines().all(|line| line.split_whitespace().filter(|word| word.parse::<f64>().is_ok()).count() == 3));
     // What fit says of the function, at the rows that both have.
-    let fit = trunnion(directory.path(), &[&["fit", "tilting-table-a", "--json"], &RUNS[..]].concat());
-    let fit: Value = serde_json::from_slice(&fit.stdout).unwrap();
+    let fit = succeeds(directory.path(), &[&["fit", "tilting-table-a", "--json"], &RUNS[..]].concat());
+    let fit: Value = serde_json::from_str(&fit).unwrap();
     let trim = readers::linuxcnc(&table);
     for point in fit["functions"][0]["points"].as_array().unwrap().iter().step_by(4) {
         let (at, value) = (point["a_deg"].as_f64().unwrap(), point["value"].as_f64().unwrap());
@@ -152,7 +147,7 @@ fn what_cannot_be_exported_is_refused() {
     // Not over what was not measured.
     let short = tempfile::tempdir().unwrap();
     let simulate = ["simulate", "tilting-table-a", "--range-deg", "0:200", "--out", "."];
-    assert_eq!(trunnion(short.path(), &simulate).status.code(), Some(0));
+    succeeds(short.path(), &simulate);
     let beyond =
         refused(short.path(), &[export.as_slice(), &["--format", "linuxcnc", "--range-deg", "0:300"]].concat());
     assert!(beyond.contains("--range-deg 0:300: measured was"), "{beyond}");

@@ -1,10 +1,9 @@
 //! Errors that are none of the axis' own position: what another axis takes off, and what stands under its ISO name.
 
 use crate::machine::Trim;
+use crate::program::succeeds;
 use crate::readers;
 use std::f64::consts::TAU;
-use std::path::Path;
-use std::process::Command;
 use trunnion::export::{Grid, OneFormat, Subject, Table, TakenOff, Told, write};
 use trunnion::study::{ErrorLimits, Estimator, Observation, Population, Setup, SimulatedMachine, fit};
 use trunnion_codegen::algebra::ErrorId;
@@ -87,18 +86,12 @@ fn another_axis_takes_a_displacement_off() {
     }
 }
 
-fn trunnion(directory: &Path, arguments: &[&str]) -> String {
-    let out = Command::new(env!("CARGO_BIN_EXE_trunnion")).current_dir(directory).args(arguments).output().unwrap();
-    assert_eq!(out.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&out.stderr));
-    String::from_utf8(out.stdout).unwrap()
-}
-
 #[test]
 fn all_identified_errors_are_in_the_volumetric_files() {
     for model in ["ac-trunnion", "rotary-table-c-rtest"] {
         let directory = tempfile::tempdir().unwrap();
         let at = directory.path();
-        trunnion(at, &["simulate", model, "--seed", "2", "--samples", "180", "--out", "."]);
+        succeeds(at, &["simulate", model, "--seed", "2", "--samples", "180", "--out", "."]);
         let files = std::fs::read_dir(at).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
         let mut files: Vec<String> = files.filter(|name| name.ends_with(".csv") && name != "table.csv").collect();
         files.sort();
@@ -108,14 +101,14 @@ fn all_identified_errors_are_in_the_volumetric_files() {
             runs.extend(["--table", "table.csv"]);
         }
         let fit: serde_json::Value =
-            serde_json::from_str(&trunnion(at, &[&["fit", model, "--json"], runs.as_slice()].concat())).unwrap();
+            serde_json::from_str(&succeeds(at, &[&["fit", model, "--json"], runs.as_slice()].concat())).unwrap();
         let functions: Vec<&serde_json::Value> =
             fit["functions"].as_array().unwrap().iter().filter(|f| f["determined"] == true).collect();
         assert!(functions.len() > 1, "{model}");
         for (format, read) in
             [("volcomp", readers::volcomp as fn(&str) -> readers::Errors), ("etalon", readers::etalon)]
         {
-            trunnion(at, &[&["export", model, "--format", format, "--out", "errors"], runs.as_slice()].concat());
+            succeeds(at, &[&["export", model, "--format", format, "--out", "errors"], runs.as_slice()].concat());
             let written = std::fs::read_to_string(at.join("errors")).unwrap();
             let errors = read(&written);
             for function in &functions {

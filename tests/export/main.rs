@@ -4,6 +4,8 @@ mod commands;
 mod cross;
 mod machine;
 mod pages;
+#[path = "../program/mod.rs"]
+mod program;
 mod properties;
 mod readers;
 mod signs;

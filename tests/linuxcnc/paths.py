@@ -22,6 +22,8 @@ MACHINES = Path(__file__).resolve().parent.parent.parent / "codegen/machines"
 AXES = "XYZABCUVW"
 # What the pages claim: a block is within this of the path, mm.
 NEAR = 1e-4
+# What `trunnion new` adds to either end without --overshoot, degrees.
+OVERSHOOT = 5.0
 # Of a rotary axis a radian counts as this, mm: about as far as balls are from an axis.
 ARM = 100.0
 FEED_IN = 1.5
@@ -139,6 +141,13 @@ class Machine:
             sweep -= sum(a * b for a, b in zip(slope, r)) / sum(a * a for a in slope)
         return sweep, math.hypot(*self.off(sweep, coordinates))
 
+    def within(self, program, to):
+        """Holds an end of a block to the axes' ranges."""
+        for axis in self.at:
+            low, high = self.axes[axis].get("range", (-math.inf, math.inf))
+            x = to[AXES.index(axis)]
+            assert low - NEAR <= x <= high + NEAR, f"{program.name}: {axis} goes to {x}, beyond {low} to {high}"
+
 
 def read(program, folder):
     canon = Read(folder)
@@ -154,10 +163,13 @@ def held(program, machine, ways):
     """Holds a program to its path; the largest distance from it and of the balls from their own, mm."""
     text = program.read_text()
     ends = re.search(r"sweep (\S+) to (\S+) degrees at \S+ a minute, (\S+) degrees beyond", text).groups()
+    assert float(ends[-1]) == OVERSHOOT, f"{program.name}: {ends[-1]} degrees to come to speed"
     begin, end, beyond = (math.radians(float(number)) for number in ends)
     assert len(ways) == 2, f"{program.name}: {len(ways)} ways"
     there, back = ([to for to, _ in way] for way in ways)
     assert there == back[::-1], f"{program.name}: the way back is another"
+    for to in there:
+        machine.within(program, to)
     axes = list(machine.at)
     at = lambda to: {axis: machine.word(axis, to) for axis in axes}
     path = [at(to) for to in there]

@@ -5,6 +5,7 @@ use chacha20::ChaCha8Rng;
 use rand::SeedableRng;
 use serde_json::Value;
 use std::fs;
+use std::path::Path;
 use trunnion::study::{ErrorLimits, Population, Setup};
 use trunnion_codegen::kinematics::ErrorValues;
 
@@ -67,14 +68,71 @@ fn proposed_positions_are_probed_and_fitted() {
 }
 
 #[test]
+fn a_project_keeps_its_positions() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    succeeds(at, &["new", "ac-trunnion-probe", "--positions", "7", "--out", "p"]);
+    let folder = at.join("p");
+    let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    let (project, program) = (read("trunnion.toml"), read("a.linuxcnc.ngc"));
+    let listed = "a = [-90, -70, -50, -30, -10, 10, 30]\n";
+    assert!(project.contains(listed), "{project}");
+    // As they were they give the same.
+    succeeds(&folder, &["new", "--force"]);
+    assert_eq!(read("a.linuxcnc.ngc"), program);
+    succeeds(at, &["new", "p", "--force", "--touch-mm", "12.5"]);
+    assert_ne!(read("a.linuxcnc.ngc"), program);
+
+    let moved = "a = [-90, -70.5, -50, -30, -10, 10]\n";
+    fs::write(folder.join("trunnion.toml"), project.replace(listed, moved)).unwrap();
+    succeeds(at, &["new", "p", "--force"]);
+    assert!(read("measuring-plan.md").contains("* Positions: -90.00°, -70.50°, -50.00°, -30.00°, -10.00°, 10.00°."));
+    assert_eq!(read("a.linuxcnc.ngc").lines().filter(|line| line.starts_with("o300 call")).count(), 6);
+    // Options are put over it, and other commands have no use for it.
+    succeeds(at, &["new", "p", "--positions", "9", "--out", "nine"]);
+    assert!(fs::read_to_string(at.join("nine/measuring-plan.md")).unwrap().contains("A sphere probed at 9 positions"));
+    fs::write(
+        at.join("at.toml"),
+        format!(
+            "[positions_deg]\n{}",
+            project.split_once("[positions_deg]\n").unwrap().1.split_once("\n\n").unwrap().0
+        ),
+    )
+    .unwrap();
+    succeeds(at, &["new", "p", "--at", "at.toml", "--out", "file"]);
+    assert!(fs::read_to_string(at.join("file/measuring-plan.md")).unwrap().contains("A sphere probed at 7 positions"));
+    assert!(succeeds(&folder, &["derive"]).contains("ac-trunnion-probe"));
+
+    for (wrong, told) in [
+        ("a = [-90, -70, -50, -30, -10, 10, 31]\n", "axis A would go to 31"),
+        ("a = [-90]\n", ": 1 positions\n  expected 4 to 1000"),
+        ("a = [-90, -70, -50, -30, -10, 10, \"30\"]\n", ": invalid type: string"),
+        ("b = [-90, -70, -50, -30, -10, 10, 30]\n", "no positions of run a"),
+    ] {
+        fs::write(folder.join("trunnion.toml"), project.replace(listed, wrong)).unwrap();
+        let line = 1 + project.split_once(listed).unwrap().0.matches('\n').count();
+        let message = refused(at, &["new", "p", "--force"]);
+        let place =
+            if wrong.starts_with('b') { "trunnion.toml: ".to_owned() } else { format!("trunnion.toml: line {line}: ") };
+        assert!(message.contains(&place) && message.contains(told), "{wrong}: {message}");
+    }
+}
+
+fn refused(at: &Path, arguments: &[&str]) -> String {
+    let output = trunnion(at, arguments);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments:?}");
+    assert!(message.contains("expected"), "{arguments:?}: {message}");
+    message
+}
+
+#[test]
 fn what_is_no_plan_of_positions_is_refused() {
     let directory = tempfile::tempdir().unwrap();
     let at = directory.path();
     let refused = |arguments: &[&str], told: &str| {
-        let output = trunnion(at, arguments);
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments:?}");
-        assert!(message.contains(told) && message.contains("expected"), "{arguments:?}: {message}");
+        let message = refused(at, arguments);
+        assert!(message.contains(told), "{arguments:?}: {message}");
     };
     let plan = |more: &[&str], told: &str| refused(&[&["plan", "ac-trunnion-probe"][..], more].concat(), told);
     plan(&["--positions", "12", "--step-deg", "15"], "12 positions of run a: 9 to choose from");
@@ -104,6 +162,7 @@ fn what_is_no_plan_of_positions_is_refused() {
         new(told);
     }
     refused(&["new", "tilting-table-a", "--at", "at.toml", "--out", "none"], "three displacements");
+    refused(&["new", "ac-trunnion-probe", "--touch-mm", "12", "--out", "none"], "nothing is touched");
     assert!(!at.join("none").exists());
 }
 

@@ -20,6 +20,8 @@ pub enum CircleError {
     AllEqual,
     /// All points are on one straight line.
     InLine,
+    /// A straight line fits the points better than any circle: the farther off its centre, the nearer a circle comes to them.
+    AlongLine,
     /// Two parallel lines enclose the points more closely than any two concentric circles: no zone is the narrowest.
     BetweenLines,
     /// The iteration does not settle: the points are not near one circle.
@@ -33,6 +35,7 @@ impl fmt::Display for CircleError {
             Self::NotFinite { point } => write!(f, "point {} has a coordinate that is not a finite number", point + 1),
             Self::AllEqual => f.write_str("all points are equal: there is no circle through them"),
             Self::InLine => f.write_str("the points are on a straight line: there is no circle through them"),
+            Self::AlongLine => f.write_str("the points are nearer to a straight line than to any circle"),
             Self::BetweenLines => f.write_str(
                 "the points lie closer between two parallel lines than between any two circles about one centre",
             ),

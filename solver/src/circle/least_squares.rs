@@ -1,6 +1,6 @@
 //! The orthogonal least-squares circle.
 
-use super::{Circle, CircleError, Point, distance, extremes};
+use super::{Circle, CircleError, Point, distance, extremes, in_line, slack};
 use crate::{Real, lstsq::Factor};
 use nalgebra::{SMatrix, SVector};
 
@@ -42,11 +42,12 @@ pub fn least_squares<T: Real>(points: &[Point<T>]) -> Result<CircleFit<T>, Circl
     let (origin, scale) = placed(points)?;
     // Coordinates of order one about the points' middle: neither large offsets nor units cost digits.
     let local = |p: &Point<T>| [(p[0] - origin[0]) / scale, (p[1] - origin[1]) / scale];
-    let mut circle = algebraic(points.iter().map(local))?;
+    let straight = || if in_line(points, slack(&origin, scale)) { CircleError::InLine } else { CircleError::AlongLine };
+    let mut circle = algebraic(points.iter().map(local))?.ok_or_else(straight)?;
     let mut last = T::infinity();
     for _ in 0..MOST {
         let linear = linearised(points.iter().map(local), &circle)?;
-        let step = linear.solve_with_sigma(T::one()).map_err(|_| CircleError::InLine)?.coefficients;
+        let step = linear.solve_with_sigma(T::one()).map_err(|_| straight())?.coefficients;
         let size = step.dot(&step).sqrt();
         let reach = T::of(0.5) * circle.radius;
         let held = if size > reach { reach / size } else { T::one() };
@@ -58,7 +59,7 @@ pub fn least_squares<T: Real>(points: &[Point<T>]) -> Result<CircleFit<T>, Circl
         // Steps shrink until only rounding is left in them.
         let bound = T::epsilon() * (T::one() + circle.radius);
         if size <= bound || size <= T::of(64.0) * bound && size >= last {
-            return finish(points, &circle, origin, scale);
+            return finish(points, &circle, origin, scale)?.ok_or_else(straight);
         }
         last = size;
     }
@@ -85,16 +86,17 @@ pub(super) fn placed<T: Real>(points: &[Point<T>]) -> Result<(Point<T>, T), Circ
     if scale > T::zero() && scale.is_finite() { Ok((origin, scale)) } else { Err(CircleError::AllEqual) }
 }
 
-/// 2ax + 2by + c = x² + y².
-fn algebraic<T: Real>(points: impl Iterator<Item = Point<T>>) -> Result<Circle<T>, CircleError> {
+/// 2ax + 2by + c = x² + y²; none where all directions but one are lost in rounding.
+fn algebraic<T: Real>(points: impl Iterator<Item = Point<T>>) -> Result<Option<Circle<T>>, CircleError> {
     let mut factor = Factor::<T, 3>::new();
     for [x, y] in points {
         let row = SVector::from([x + x, y + y, T::one()]);
         factor.push(&row, x * x + y * y).map_err(|_| CircleError::NoConvergence)?;
     }
-    let [a, b, c]: [T; 3] = factor.solve_with_sigma(T::one()).map_err(|_| CircleError::InLine)?.coefficients.into();
+    let Ok(estimate) = factor.solve_with_sigma(T::one()) else { return Ok(None) };
+    let [a, b, c]: [T; 3] = estimate.coefficients.into();
     let square = c + a * a + b * b;
-    if square > T::zero() { Ok(Circle { centre: [a, b], radius: square.sqrt() }) } else { Err(CircleError::InLine) }
+    Ok((square > T::zero()).then(|| Circle { centre: [a, b], radius: square.sqrt() }))
 }
 
 /// The radial deviations as changes of centre and radius would make them.
@@ -114,22 +116,23 @@ fn linearised<T: Real>(
     Ok(factor)
 }
 
+/// A circle that has settled, with its scatter; none where the points tell no direction from it.
 fn finish<T: Real>(
     points: &[Point<T>],
     local: &Circle<T>,
     origin: Point<T>,
     scale: T,
-) -> Result<CircleFit<T>, CircleError> {
+) -> Result<Option<CircleFit<T>>, CircleError> {
     let centre = [origin[0] + scale * local.centre[0], origin[1] + scale * local.centre[1]];
     let circle = Circle { centre, radius: scale * local.radius };
     let factor = linearised(points.iter().copied(), &circle)?;
     let scatter = match factor.samples() {
         3 => None,
         _ => {
-            let estimate = factor.solve().map_err(|_| CircleError::InLine)?;
+            let Ok(estimate) = factor.solve() else { return Ok(None) };
             Some(Scatter { covariance: estimate.covariance, residual_std: estimate.residual_std })
         }
     };
     let radii = extremes(points, &centre);
-    Ok(CircleFit { circle, scatter, radii })
+    Ok(Some(CircleFit { circle, scatter, radii }))
 }

@@ -2,7 +2,7 @@
 
 use super::least_squares::placed;
 use super::search::Cloud;
-use super::{CircleError, CircleFit, Point, Zone, distance, least_squares, slack};
+use super::{CircleError, CircleFit, Point, Zone, in_line, least_squares, slack};
 use crate::Real;
 
 /// The minimum-zone circle: of all pairs of concentric circles around the points, the two that are nearest to each other.
@@ -37,18 +37,4 @@ pub fn minimum_zone<T: Real>(points: &[Point<T>]) -> Result<Zone<T>, CircleError
 /// Points on one circle.
 fn round<T: Real>(fit: &CircleFit<T>) -> Zone<T> {
     Zone { centre: fit.circle.centre, inner: fit.radii.0, outer: fit.radii.1, contacts: None }
-}
-
-/// Whether all points are on the line through two that are far apart.
-fn in_line<T: Real>(points: &[Point<T>], slack: T) -> bool {
-    let farthest = |from: &Point<T>| {
-        let farther = |a: Point<T>, b: &Point<T>| if distance(from, b) > distance(from, &a) { *b } else { a };
-        points.iter().fold(*from, farther)
-    };
-    let Some(first) = points.first() else { return true };
-    let one = farthest(first);
-    let other = farthest(&one);
-    let length = distance(&one, &other);
-    let (x, y) = ((other[0] - one[0]) / length, (other[1] - one[1]) / length);
-    points.iter().all(|p| ((p[0] - one[0]) * y - (p[1] - one[1]) * x).abs() <= slack)
 }

@@ -59,3 +59,17 @@ fn extremes<T: Real>(points: &[Point<T>], centre: &Point<T>) -> (T, T) {
 fn slack<T: Real>([x, y]: &Point<T>, radius: T) -> T {
     T::of(64.0) * T::epsilon() * (radius + x.abs() + y.abs())
 }
+
+/// Whether all points are on the line through two that are far apart.
+fn in_line<T: Real>(points: &[Point<T>], slack: T) -> bool {
+    let farthest = |from: &Point<T>| {
+        let farther = |a: Point<T>, b: &Point<T>| if distance(from, b) > distance(from, &a) { *b } else { a };
+        points.iter().fold(*from, farther)
+    };
+    let Some(first) = points.first() else { return true };
+    let one = farthest(first);
+    let other = farthest(&one);
+    let length = distance(&one, &other);
+    let (x, y) = ((other[0] - one[0]) / length, (other[1] - one[1]) / length);
+    points.iter().all(|p| ((p[0] - one[0]) * y - (p[1] - one[1]) * x).abs() <= slack)
+}
