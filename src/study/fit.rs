@@ -9,7 +9,7 @@ use super::hysteresis::Averages;
 use super::misfit::{Look, Looking};
 pub use super::observation::{Observation, Sample};
 use super::recording::Recording;
-use super::rows::{Rows, Taken, blocks};
+use super::rows::{Rows, Taken, blocks, each_row};
 use super::seen::Seen;
 use super::separation::Separation;
 use super::setup::Setup;
@@ -264,13 +264,12 @@ impl Fit {
         let of = observations.iter().zip(&self.steps).map(|(observation, step)| {
             let moved = &moved[usize::from(*step == Step::Second)];
             let places = self.places(setup, observation.run);
-            let mut evaluator = setup.row(observation.run);
-            let one = |s: &Sample| {
-                let (row, _) = evaluator.at(s.sweep, s.direction);
+            let mut weights = Vec::with_capacity(observation.samples.len());
+            each_row(setup, observation, |_, row, _| {
                 let sum: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * moved[(*at)?])).sum();
-                sum * observation.weight
-            };
-            observation.samples.iter().map(one).collect()
+                weights.push(sum * observation.weight);
+            });
+            weights
         });
         Weights(of.collect())
     }

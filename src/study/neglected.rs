@@ -1,14 +1,16 @@
 //! What linearisation drops: the second-order terms of a reading, bounded for given limits of the errors.
 
 use super::limits::ErrorLimits;
+use super::rows::Evaluate;
 use super::setup::{Setup, SetupError};
 use trunnion_codegen::algebra::{Monomial, Nominal, Order};
 use trunnion_codegen::emit::model::{motion, poly};
-use trunnion_codegen::graph::{Graph, Symbol, Tape};
+use trunnion_codegen::graph::{Graph, LANES, Symbol, Tape};
 use trunnion_codegen::identify::DeriveError;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::directions;
 use trunnion_codegen::measurement::reading;
+use trunnion_solver::sized::vectorised;
 
 /// The neglected part of one run's reading.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,15 +57,22 @@ impl<'a> SecondOrder<'a> {
     }
 
     /// Calls `each` at every sweep, which is reached in a direction, with the sample's position and the factor of every product.
-    pub fn along(&self, places: impl Iterator<Item = (f64, f64)>, mut each: impl FnMut(usize, &[f64])) {
-        let mut evaluator = self.tape.evaluator();
+    pub fn along(&self, places: &[(f64, f64)], mut each: impl FnMut(usize, &[f64])) {
+        let mut evaluator = self.tape.block_evaluator();
         let mut inputs = self.setup.inputs(self.run);
         let mut values = vec![0.0; self.products.len()];
-        for (i, (sweep, direction)) in places.enumerate() {
-            self.setup.place(self.run, &mut inputs, sweep, direction);
-            let evaluated = evaluator.evaluate(&inputs, &mut values);
-            debug_assert_eq!(evaluated, Ok(()), "the tape was made for these inputs");
-            each(i, &values);
+        for (block, places) in places.chunks(LANES).enumerate() {
+            for (lane, &(sweep, direction)) in places.iter().enumerate() {
+                self.setup.place(self.run, &mut inputs, sweep, direction);
+                evaluator.inputs().iter_mut().zip(&inputs).for_each(|(lanes, &input)| lanes[lane] = input);
+            }
+            vectorised(Evaluate(&mut evaluator));
+            for lane in 0..places.len() {
+                for (at, value) in values.iter_mut().enumerate() {
+                    *value = evaluator.output(at).map_or(0.0, |lanes| lanes[lane]);
+                }
+                each(block * LANES + lane, &values);
+            }
         }
     }
 }
@@ -87,7 +96,8 @@ pub fn neglected(setup: &Setup, run: RunId, sweeps: &[f64], limits: ErrorLimits)
     let sizes: Vec<f64> = second.products.iter().map(|errors| product_size(setup, errors, limits)).collect();
     let mut largest = vec![0.0f64; sizes.len()];
     let mut bound = Vec::with_capacity(sweeps.len());
-    second.along(sweeps.iter().copied().zip(directions(sweeps)), |_, values| {
+    let places: Vec<(f64, f64)> = sweeps.iter().copied().zip(directions(sweeps)).collect();
+    second.along(&places, |_, values| {
         let parts = || values.iter().zip(&sizes).map(|(v, s)| v.abs() * s);
         bound.push(parts().sum());
         for (l, part) in largest.iter_mut().zip(parts()) {

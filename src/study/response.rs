@@ -1,6 +1,7 @@
 //! How far disturbances of the readings move the base parameters: the estimate is linear in the readings.
 
 use super::fit::{Fit, Observation, Sample};
+use super::rows::each_row;
 use super::setup::Setup;
 use nalgebra::DMatrix;
 
@@ -32,15 +33,13 @@ impl Fit {
         for (at, observation) in observations.iter().enumerate() {
             let places = self.places(setup, observation.run);
             let mut sum = DMatrix::zeros(self.base.len(), count);
-            let mut evaluator = setup.row(observation.run);
-            for sample in &observation.samples {
-                let (row, factors) = evaluator.at(sample.sweep, sample.direction);
+            each_row(setup, observation, |sample, row, factors| {
                 by.fill(0.0);
                 of(Disturbed { observation: at, sample, factors }, &mut by);
                 for (x, place) in row.iter().zip(&places).filter_map(|(x, place)| Some((x, (*place)?))) {
                     sum.row_mut(place).iter_mut().zip(&by).for_each(|(s, d)| *s += x * d * observation.weight);
                 }
-            }
+            });
             responses += self.sensitivity_of(at) * sum;
         }
         responses

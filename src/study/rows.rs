@@ -1,6 +1,6 @@
 //! Rows of a run, many at a time.
 
-use super::observation::Sample;
+use super::observation::{Observation, Sample};
 use super::recording::Recording;
 use super::setup::Setup;
 use thiserror::Error;
@@ -35,7 +35,7 @@ pub(super) struct Rows<'a> {
 }
 
 /// Runs the tape on whatever the processor has.
-struct Evaluate<'a, 'b>(&'a mut BlockEvaluator<'b>);
+pub(super) struct Evaluate<'a, 'b>(pub &'a mut BlockEvaluator<'b>);
 
 impl Work for Evaluate<'_, '_> {
     type Output = ();
@@ -152,6 +152,25 @@ impl Setup {
             }
         }
         Ok(())
+    }
+}
+
+/// Calls `each` for every sample of an observation, with the regressors of the base parameters that its run sees, and with the factors of the
+/// run's known functions.
+pub(super) fn each_row(setup: &Setup, observation: &Observation, mut each: impl FnMut(&Sample, &[f64], &[f64])) {
+    let mut rows = Rows::new(setup, observation.run);
+    let mut row = vec![0.0; rows.regressors + rows.known.len()];
+    for samples in observation.samples.chunks(LANES) {
+        rows.samples = 0;
+        samples.iter().for_each(|sample| rows.take(sample));
+        rows.evaluate();
+        for (lane, sample) in samples.iter().enumerate() {
+            for (at, x) in row.iter_mut().enumerate() {
+                *x = rows.evaluator.output(at).map_or(0.0, |lanes| lanes[lane]);
+            }
+            let (regressors, factors) = row.split_at(rows.regressors);
+            each(sample, regressors, factors);
+        }
     }
 }
 

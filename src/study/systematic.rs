@@ -116,6 +116,11 @@ pub fn systematic(
     Ok(Systematic { at, typical, terms })
 }
 
+/// Sweep and direction of each sample.
+fn places(observation: &Observation) -> Vec<(f64, f64)> {
+    observation.samples.iter().map(|s| (s.sweep, s.direction)).collect()
+}
+
 fn pair(errors: &Monomial) -> Option<[ErrorId; 2]> {
     let mut both = errors.errors();
     Some([both.next()?, both.next()?])
@@ -158,7 +163,7 @@ fn products(
         let mut own: Vec<Option<Product>> = second.products.iter().map(|errors| products.remove(errors)).collect();
         let along_of: Vec<[Option<&Along>; 2]> =
             own.iter().map(|p| p.as_ref().map_or([None; 2], |p| p.errors.map(|e| values.get(&e)))).collect();
-        second.along(observation.samples.iter().map(|s| (s.sweep, s.direction)), |sample, factors| {
+        second.along(&places(observation), |sample, factors| {
             for ((product, pair), factor) in own.iter_mut().zip(&along_of).zip(factors).filter(|(_, f)| **f != 0.0) {
                 let (Some(product), [Some(first), Some(second)]) = (product, pair) else { continue };
                 let mut moves = product.moves.iter_mut();
@@ -192,7 +197,7 @@ fn bounds(
         let moving = |m: &Monomial| m.errors().any(|e| setup.model.axis_of(e).is_some());
         let moving: Vec<bool> = second.products.iter().map(moving).collect();
         let mut own = vec![0.0; moving.len()];
-        second.along(observation.samples.iter().map(|s| (s.sweep, s.direction)), |sample, factors| {
+        second.along(&places(observation), |sample, factors| {
             let weight: f64 = weights.iter().zip(here).map(|(w, b)| w.0[o][sample] * b).sum();
             for ((sum, factor), moving) in own.iter_mut().zip(factors).zip(&moving) {
                 let part = weight * factor;

@@ -5,6 +5,7 @@ use super::instrument::Instrument;
 use super::parts::{Ignored, Parts, std as size};
 use super::source::Source;
 use crate::study::fit::{Fit, Observation};
+use crate::study::rows::each_row;
 use crate::study::setup::Setup;
 use crate::study::slow::{SLOW, slow};
 use nalgebra::DVector;
@@ -112,9 +113,9 @@ pub(in crate::study) fn without_table(setup: &Setup, observations: &[Observation
     let of = |function: FunctionId| {
         let factors = |o: &Observation| {
             let at = setup.derivation.runs[o.run].known.iter().position(|(f, _)| *f == function);
-            let mut row = setup.row(o.run);
-            let mut factor = |sweep: f64| at.and_then(|at| row.at(sweep, 1.0).1.get(at).copied()).unwrap_or(0.0);
-            o.samples.iter().map(|s| factor(s.sweep)).collect()
+            let mut along = Vec::with_capacity(o.samples.len());
+            each_row(setup, o, |_, _, factors| along.push(at.and_then(|at| factors.get(at).copied()).unwrap_or(0.0)));
+            along
         };
         (setup.model.functions[function].error, observations.iter().map(factors).collect())
     };
