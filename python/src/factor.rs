@@ -19,7 +19,7 @@ pub struct Factor {
 #[pymethods]
 impl Factor {
     /// What the samples of runs have come to: of constant size, however many they are. `runs` as of `Setup.fit`, arrays or frames, and
-    /// not all need be there; `estimator`: "joint" or "two-step".
+    /// not all need be there; `estimator`: "joint" or "two-step". There is no robust one: its weights need the residuals of samples.
     #[new]
     #[pyo3(signature = (setup, runs=None, /, *, estimator="joint"))]
     fn new(py: Python<'_>, setup: &Setup, runs: Option<&Bound<'_, PyAny>>, estimator: &str) -> PyResult<Self> {
@@ -29,12 +29,16 @@ impl Factor {
         Ok(factor)
     }
 
-    /// The estimate of all samples that it has taken: a fit without residuals and report. `sigma_um` as of `Setup.fit`.
+    /// The estimate of all samples that it has taken, with its report and budget; `sigma_um` as of `Setup.fit`.
+    ///
+    /// What only samples tell is not there: `report()["recordings"]` is None, and warnings know neither single residuals far out nor the
+    /// mistake that explains a misfit. Known functions that were zero all along count as no table.
     #[pyo3(signature = (setup, /, *, sigma_um=None))]
     fn solve(&self, py: Python<'_>, setup: &Setup, sigma_um: Option<f64>) -> PyResult<Fit> {
         let variance = variance(sigma_um)?;
-        let fit = py.detach(|| self.factor.solve(&setup.setup, variance)).map_err(|e| errors::factor(&e))?;
-        Ok(Fit::new(&setup.setup, fit, None, false))
+        let solved = py.detach(|| self.factor.solve(&setup.setup, variance));
+        let (fit, observations) = solved.map_err(|e| errors::factor(&e))?;
+        Ok(Fit::new(&setup.setup, fit, observations, self.factor.without_table()))
     }
 
     /// From what `to_bytes` gives; bytes of anything else, damaged or of another version, are refused.

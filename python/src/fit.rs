@@ -5,7 +5,7 @@ use crate::errors::Class;
 use crate::object::object;
 use crate::table::{Given, array};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::sync::Arc;
@@ -22,8 +22,8 @@ type Curve<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 pub struct Fit {
     setup: Arc<trunnion::Setup>,
     fit: study::Fit,
-    /// Those that stand for all samples; none of a factor.
-    observations: Option<Vec<Observation>>,
+    /// Those that stand for all samples.
+    observations: Vec<Observation>,
     without_table: bool,
 }
 
@@ -31,7 +31,7 @@ impl Fit {
     pub fn new(
         setup: &Arc<trunnion::Setup>,
         fit: study::Fit,
-        observations: Option<Vec<Observation>>,
+        observations: Vec<Observation>,
         without_table: bool,
     ) -> Self {
         Self { setup: Arc::clone(setup), fit, observations, without_table }
@@ -53,11 +53,7 @@ impl Fit {
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<serde_json::Value> {
-        let Some(observations) = &self.observations else {
-            let told = "a fit of a factor has no report: its samples are gone\n  expected a fit of arrays or files";
-            return Err(PyValueError::new_err(told));
-        };
-        let setup = &self.setup;
+        let (setup, observations) = (&self.setup, &self.observations);
         let (limits, instrument) =
             (limits(&setup.model, length_um, angle_urad)?, self::instrument(&setup.model, instrument)?);
         let report = py.detach(|| {
@@ -128,7 +124,7 @@ impl Fit {
         self.fit.separation.condition
     }
 
-    /// Root mean square of the residuals of each recording, mm; none of a factor.
+    /// Root mean square of the residuals of each recording, mm; of a factor those of each run together.
     #[getter]
     fn rms<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.fit.rms)
@@ -156,8 +152,15 @@ impl Fit {
         Ok((PyArray1::from_vec(py, values), PyArray1::from_vec(py, stds)))
     }
 
+    /// Whether it is of a factor: `report` then has None for `recordings` (traces and histograms of residuals), and its warnings know
+    /// neither single residuals far out nor the mistake that explains a misfit.
+    #[getter]
+    fn of_factor(&self) -> bool {
+        self.fit.of_factor
+    }
+
     /// Readings less what the estimate makes of them, mm: for each run a list of arrays, one for each of its recordings. `runs` as of
-    /// `fit`, arrays or frames.
+    /// `fit`, arrays or frames; of a factor, too, whose samples are at hand.
     fn residuals<'py>(&self, py: Python<'py>, runs: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
         let Given::Arrays(recorded) = Given::new(&self.setup, runs)? else {
             return Err(PyTypeError::new_err("runs: files\n  expected arrays or frames"));

@@ -262,7 +262,7 @@ impl Setup {
                 (fit, observations, !recorded.iter().any(|own| own.has_known()))
             }
         };
-        Ok(Fit::new(&self.setup, fit, Some(observations), without_table))
+        Ok(Fit::new(&self.setup, fit, observations, without_table))
     }
 
     /// What such runs would give, before anything is measured: rank, condition, the standard deviation of each base parameter, the

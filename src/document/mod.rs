@@ -47,7 +47,7 @@ pub fn report(setup: &Setup, report: &Report) -> Value {
         "instrument": instrument(&report.instrument),
         "coverage": COVERAGE,
         "runs": runs.collect::<Map<_, _>>(),
-        "recordings": recordings.collect::<Vec<_>>(),
+        "recordings": (!report.of_factor).then(|| recordings.collect::<Vec<_>>()),
         "coefficients": coefficients.collect::<Vec<_>>(),
         "functions": report.functions.iter().map(curve).collect::<Vec<_>>(),
         "weighed_down": report.weighed_down.iter().map(|(run, down)| json!({
