@@ -1,6 +1,6 @@
 //! An estimate with its covariance, and what a report says of it.
 
-use crate::arguments::{instrument, limits};
+use crate::arguments::{Stated, instrument, limits};
 use crate::errors::Class;
 use crate::object::object;
 use crate::table::{Given, array};
@@ -9,6 +9,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::sync::Arc;
+use trunnion::data::MachineAtHand;
 use trunnion::document;
 use trunnion::study::{self, Observation, coefficient_unit, report_on};
 use trunnion_codegen::emit::equations;
@@ -25,6 +26,8 @@ pub struct Fit {
     /// Those that stand for all samples.
     observations: Vec<Observation>,
     without_table: bool,
+    /// What is told of the machine at hand.
+    machine: MachineAtHand,
 }
 
 impl Fit {
@@ -34,7 +37,13 @@ impl Fit {
         observations: Vec<Observation>,
         without_table: bool,
     ) -> Self {
-        Self { setup: Arc::clone(setup), fit, observations, without_table }
+        let machine = MachineAtHand::default();
+        Self { setup: Arc::clone(setup), fit, observations, without_table, machine }
+    }
+
+    /// The same with what is told of the machine at hand.
+    pub fn of_machine(self, machine: &MachineAtHand) -> Self {
+        Self { machine: machine.clone(), ..self }
     }
 
     fn function_id(&self, name: &str) -> PyResult<FunctionId> {
@@ -49,16 +58,19 @@ impl Fit {
     fn report_value(
         &self,
         py: Python<'_>,
-        instrument: Option<&str>,
+        instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<serde_json::Value> {
         let (setup, observations) = (&self.setup, &self.observations);
-        let (limits, instrument) =
-            (limits(&setup.model, length_um, angle_urad)?, self::instrument(&setup.model, instrument)?);
+        let limits = limits(&setup.model, length_um, angle_urad)?;
+        let (instrument, name) = self::instrument(&setup.model, instrument)?;
         let report = py.detach(|| {
             let report = report_on(setup, observations, &self.fit, limits, &instrument, self.without_table)?;
-            Ok(document::report(setup, &report))
+            let mut told = document::report(setup, &report);
+            told["instrument"]["name"] = name.into();
+            document::at_hand(&mut told, &self.machine);
+            Ok(told)
         });
         report.map_err(|e: study::SetupError| Class::Model.error(e))
     }
@@ -182,13 +194,13 @@ impl Fit {
         Ok(all)
     }
 
-    /// Everything of the fit with its uncertainty: what `trunnion fit --json` prints. `instrument`: "QC20-W", without it the model's;
-    /// limits of the machine's errors in µm and µrad, without them the model's.
+    /// Everything of the fit with its uncertainty: what `trunnion fit --json` prints but `made`, what it says of itself. `instrument`:
+    /// "QC20-W", or values in place of the model's as in its `[instrument]`: `{"constant_um": 0.5, "proportional": 0.001}`; limits of the machine's errors in µm and µrad, without them the model's.
     #[pyo3(signature = (*, instrument=None, length_um=None, angle_urad=None))]
     fn report<'py>(
         &self,
         py: Python<'py>,
-        instrument: Option<&str>,
+        instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
@@ -203,7 +215,7 @@ impl Fit {
         &self,
         py: Python<'py>,
         function: &str,
-        instrument: Option<&str>,
+        instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {

@@ -87,7 +87,7 @@ def test_what_does_not_belong_together_is_refused(setup, runs) -> None:
 
 
 def close(own: object, expected: object, where: str = "") -> None:
-    """The same texts, and numbers to 1e-6."""
+    """The same texts, and numbers to a thousandth."""
     if isinstance(expected, dict):
         assert isinstance(own, dict) and own.keys() == expected.keys(), where
         for key in expected:
@@ -97,7 +97,7 @@ def close(own: object, expected: object, where: str = "") -> None:
         for at, (one, other) in enumerate(zip(own, expected, strict=True)):
             close(one, other, f"{where}/{at}")
     elif isinstance(expected, float):
-        assert own == pytest.approx(expected, rel=1e-4, abs=1e-9), where
+        assert own == pytest.approx(expected, rel=1e-3, abs=1e-9), where
     else:
         assert own == expected, where
 
