@@ -122,6 +122,25 @@ def test_its_report_is_that_of_the_samples(setup, runs, estimator) -> None:
     assert budget["u95"] == pytest.approx(fit.budget("eps_xa", instrument="QC20-W")["budget"]["u95"], rel=1e-5)
 
 
+def test_weights_are_those_of_a_fit(setup, runs) -> None:
+    weights = {"tilting": 2.0}
+    expected = setup.fit(runs, weights=weights)
+    factor = trunnion.Factor(setup, weights=weights)
+    factor.push(setup, {"tilting": runs["tilting"]}, weights=weights)
+    factor.push(setup, {"separation": runs["separation"]})
+    for own in [factor, trunnion.Factor(setup, runs, weights=weights)]:
+        fit = own.solve(setup)
+        assert np.array_equal(fit.coefficients, expected.coefficients)
+        budgets = [of.budget("eps_xa")["budget"]["u95"] for of in (fit, expected)]
+        assert budgets[0] == pytest.approx(budgets[1], rel=1e-4)
+    with pytest.raises(trunnion.DataError, match="weight"):
+        trunnion.Factor(setup, runs, weights={"tilting": -1.0})
+    # Kept apart: two numbers for one run.
+    both = trunnion.Factor(setup, runs) + trunnion.Factor(setup, runs, weights=weights)
+    assert both.solve(setup).rms.shape == (3,)
+    assert list(both.solve(setup).report()["runs"]) == ["tilting/1", "tilting/2", "separation"]
+
+
 def test_what_only_samples_tell_is_said(setup, runs) -> None:
     from trunnion import plots
 
