@@ -27,16 +27,20 @@ struct Cell {
 }
 
 impl Cell {
-    fn of(sample: &Sample) -> Self {
-        let std = |at: usize| sample.known_std.get(at).copied().unwrap_or(0.0);
-        let known: Vec<_> = sample.known.iter().enumerate().map(|(at, value)| [*value, std(at).powi(2)]).collect();
-        let zero = known.iter().flatten().all(|x| *x == 0.0);
-        Self {
-            samples: 1,
-            ends: [sample.sweep; 2],
-            reading: sample.reading,
-            known: if zero { Vec::new() } else { known },
+    fn at(sweep: f64) -> Self {
+        Self { samples: 0, ends: [sweep; 2], reading: 0.0, known: Vec::new() }
+    }
+
+    fn add(&mut self, sample: &Sample) {
+        let [low, high] = self.ends;
+        self.samples = self.samples.saturating_add(1);
+        self.ends = [low.min(sample.sweep), high.max(sample.sweep)];
+        self.reading += sample.reading;
+        if self.known.is_empty() && sample.known.iter().chain(&sample.known_std).any(|x| *x != 0.0) {
+            self.known.resize(sample.known.len(), [0.0; 2]);
         }
+        self.known.iter_mut().zip(&sample.known).for_each(|(sum, value)| sum[0] += value);
+        self.known.iter_mut().zip(&sample.known_std).for_each(|(sum, std)| sum[1] += std * std);
     }
 
     fn merge(&mut self, other: &Self) {
@@ -53,7 +57,7 @@ impl Cell {
     }
 
     /// A sample in it, `at` of the way from its low end to its high one.
-    fn at(&self, at: f64, direction: f64, known: usize) -> Sample {
+    fn sample(&self, at: f64, direction: f64, known: usize) -> Sample {
         let [low, high] = self.ends;
         let count = f64::from(self.samples);
         let sums = |i: usize| self.known.get(i).copied().unwrap_or_default();
@@ -79,14 +83,10 @@ impl Cells {
     /// The next sample.
     pub fn add(&mut self, sample: &Sample) {
         let place = (if sample.direction == 0.0 { 0 } else { sample.direction.signum() as i8 }, step(sample.sweep));
-        let one = Cell::of(sample);
-        match &mut self.open {
-            Some((at, cell)) if *at == place => cell.merge(&one),
-            _ => {
-                self.close();
-                self.open = Some((place, one));
-            }
+        if self.open.as_ref().is_none_or(|(at, _)| *at != place) {
+            self.close();
         }
+        self.open.get_or_insert_with(|| (place, Cell::at(sample.sweep))).1.add(sample);
     }
 
     /// Puts the open cell to the others.
@@ -144,7 +144,7 @@ impl Cells {
                 let own = (0..count).filter(|at| (before + at).is_multiple_of(step) || before + at + 1 == samples);
                 kept.extend(own.map(|at| {
                     let share = at as f64 / count.saturating_sub(1).max(1) as f64;
-                    cell.at(if down { 1.0 - share } else { share }, f64::from(direction), known)
+                    cell.sample(if down { 1.0 - share } else { share }, f64::from(direction), known)
                 }));
                 before += count;
             }
