@@ -46,8 +46,10 @@ fuzz_target!(|bytes: &[u8]| {
     for bytes in [bytes, &changed] {
         let Ok(factor) = Factor::from_bytes(bytes) else { continue };
         assert_eq!(factor.to_bytes(), bytes);
-        if let Ok(fit) = factor.solve(&SETUP, Variance::Residual) {
+        if let Ok((fit, observations)) = factor.solve(&SETUP, Variance::Residual) {
             finite(&fit.values);
+            assert!(fit.rms.iter().all(|rms| rms.is_finite()));
+            assert_eq!(fit.rms.len(), observations.len());
         }
     }
 });

@@ -3,6 +3,7 @@
 use crate::errors::Class;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use trunnion::study::{ErrorLimits, Estimator, Instrument, Variance};
@@ -58,16 +59,53 @@ pub fn limits(model: &Model, length_um: Option<f64>, angle_urad: Option<f64>) ->
     Ok(ErrorLimits::stated(model, length, angle))
 }
 
-/// An instrument by name, else the model's.
-pub fn instrument(model: &Model, name: Option<&str>) -> PyResult<Instrument> {
+/// An instrument's errors: its name, or values in place of the model's.
+#[derive(Clone, FromPyObject)]
+pub enum Stated {
+    Name(String),
+    Values(BTreeMap<String, Value>),
+}
+
+/// A value of a table `[instrument]`.
+#[derive(Clone, FromPyObject)]
+pub enum Value {
+    Number(f64),
+    Text(String),
+}
+
+/// An instrument, and the name of the one whose published errors are taken: those given, else the model's, as the options of `trunnion fit`.
+pub fn instrument(model: &Model, given: Option<Stated>) -> PyResult<(Instrument, Option<String>)> {
     let known = |name: &str| {
         let presets = StatedInstrument::PRESETS.join(", ");
-        Class::Model
-            .error(format!("instrument {name:?}: not known\n  expected {presets}, or [instrument] in the model file"))
+        let told = "or values as in [instrument] of a model file, {\"constant_um\": 0.7}";
+        Class::Model.error(format!("instrument {name:?}: not known\n  expected {presets}, {told}"))
     };
-    let stated = match name {
-        Some(name) => StatedInstrument::preset(name).ok_or_else(|| known(name))?,
-        None => model.instrument.clone().unwrap_or_default(),
+    let preset = |name: &str| StatedInstrument::preset(name).ok_or_else(|| known(name));
+    let own = || model.instrument.clone().unwrap_or_default();
+    let stated = match given {
+        None => own(),
+        Some(Stated::Name(name)) => preset(&name)?,
+        Some(Stated::Values(mut values)) => {
+            let mut stated = match values.remove("preset") {
+                Some(Value::Text(name)) => preset(&name)?,
+                Some(Value::Number(number)) => return Err(known(&number.to_string())),
+                None => own(),
+            };
+            for (key, value) in values {
+                let (place, factor) = match key.as_str() {
+                    "constant_um" => (&mut stated.constant, Unit::Um.factor()),
+                    "noise_um" => (&mut stated.noise, Unit::Um.factor()),
+                    "proportional" => (&mut stated.proportional, 1.0),
+                    "bar_length_um" => (&mut stated.bar_length, Unit::Um.factor()),
+                    "temperature_k" => (&mut stated.temperature, 1.0),
+                    "expansion_per_k" => (&mut stated.expansion, 1.0),
+                    _ => return Err(known(&key)),
+                };
+                let Value::Number(number) = value else { return Err(known(&key)) };
+                *place = size(&key, number)? * factor;
+            }
+            stated
+        }
     };
-    Ok(Instrument::of(&stated))
+    Ok((Instrument::of(&stated), stated.preset))
 }

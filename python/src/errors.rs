@@ -2,10 +2,10 @@
 
 use pyo3::prelude::*;
 use std::fmt::Display;
-use trunnion::data::{FileError, ObservationsError};
+use trunnion::data::{FileError, ObservationsError, SourceError};
 use trunnion::exechon::{MachineFileError, PointError};
 use trunnion::study::{EstimateError, FactorError, Failed, SetupError};
-use trunnion_codegen::model::Problem;
+use trunnion_codegen::model::{Model, Problem};
 use trunnion_codegen::problems::{Colour, Described};
 
 /// A class of `trunnion._errors`.
@@ -71,6 +71,17 @@ pub fn setup(described: &Described, error: SetupError) -> PyErr {
 
 pub fn estimate(error: &EstimateError) -> PyErr {
     Class::Estimate.error(error)
+}
+
+pub fn unknown_run(model: &Model, name: &str) -> PyErr {
+    let runs: Vec<&str> = model.runs.iter().map(|run| run.name.as_str()).collect();
+    Class::Data.error(format!("the model has no run `{name}`\n  expected {}", runs.join(", ")))
+}
+
+pub fn source(error: &SourceError) -> PyErr {
+    let (file, line) = error.place();
+    let line = line.and_then(|line| line.try_into().ok());
+    Class::Model.placed(error, file.map(|file| file.display().to_string()), line, None)
 }
 
 pub fn file(error: &FileError) -> PyErr {

@@ -8,7 +8,8 @@ use crate::table::Given;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyTuple};
-use trunnion::study;
+use std::collections::BTreeMap;
+use trunnion::study::{self, weigh};
 
 /// What the samples of a set-up's runs have come to.
 #[pyclass(module = "trunnion")]
@@ -19,22 +20,32 @@ pub struct Factor {
 #[pymethods]
 impl Factor {
     /// What the samples of runs have come to: of constant size, however many they are. `runs` as of `Setup.fit`, arrays or frames, and
-    /// not all need be there; `estimator`: "joint" or "two-step".
+    /// not all need be there; `estimator`: "joint" or "two-step"; `weights` as of `Setup.fit`. There is no robust one: its weights need the residuals of samples.
     #[new]
-    #[pyo3(signature = (setup, runs=None, /, *, estimator="joint"))]
-    fn new(py: Python<'_>, setup: &Setup, runs: Option<&Bound<'_, PyAny>>, estimator: &str) -> PyResult<Self> {
+    #[pyo3(signature = (setup, runs=None, /, *, estimator="joint", weights=None))]
+    fn new(
+        py: Python<'_>,
+        setup: &Setup,
+        runs: Option<&Bound<'_, PyAny>>,
+        estimator: &str,
+        weights: Option<BTreeMap<String, f64>>,
+    ) -> PyResult<Self> {
         let factor = study::Factor::new(&setup.setup, self::estimator(estimator)?);
         let mut factor = Self { factor: factor.map_err(|e| errors::estimate(&e))? };
-        runs.map_or(Ok(()), |runs| factor.push(py, setup, runs))?;
+        runs.map_or(Ok(()), |runs| factor.push(py, setup, runs, weights))?;
         Ok(factor)
     }
 
-    /// The estimate of all samples that it has taken: a fit without residuals and report. `sigma_um` as of `Setup.fit`.
+    /// The estimate of all samples that it has taken, with its report and budget; `sigma_um` as of `Setup.fit`.
+    ///
+    /// What only samples tell is not there: `report()["recordings"]` is None, and warnings know neither single residuals far out nor the
+    /// mistake that explains a misfit. Known functions that were zero all along count as no table.
     #[pyo3(signature = (setup, /, *, sigma_um=None))]
     fn solve(&self, py: Python<'_>, setup: &Setup, sigma_um: Option<f64>) -> PyResult<Fit> {
         let variance = variance(sigma_um)?;
-        let fit = py.detach(|| self.factor.solve(&setup.setup, variance)).map_err(|e| errors::factor(&e))?;
-        Ok(Fit::new(&setup.setup, fit, None, false))
+        let solved = py.detach(|| self.factor.solve(&setup.setup, variance));
+        let (fit, observations) = solved.map_err(|e| errors::factor(&e))?;
+        Ok(Fit::new(&setup.setup, fit, observations, self.factor.without_table()))
     }
 
     /// From what `to_bytes` gives; bytes of anything else, damaged or of another version, are refused.
@@ -60,14 +71,23 @@ impl Factor {
         self.factor.estimator().to_string()
     }
 
-    /// Takes samples of runs of the set-up that it was made of; `runs` as of `Setup.fit`, arrays or frames. All or none.
-    fn push(&mut self, py: Python<'_>, setup: &Setup, runs: &Bound<'_, PyAny>) -> PyResult<()> {
+    /// Takes samples of runs of the set-up that it was made of; `runs` as of `Setup.fit`, arrays or frames, `weights`, too. All or none.
+    #[pyo3(signature = (setup, runs, *, weights=None))]
+    fn push(
+        &mut self,
+        py: Python<'_>,
+        setup: &Setup,
+        runs: &Bound<'_, PyAny>,
+        weights: Option<BTreeMap<String, f64>>,
+    ) -> PyResult<()> {
         let setup = setup.setup.as_ref();
         let Given::Arrays(recorded) = Given::new(setup, runs)? else {
             let told = "runs: files\n  expected arrays or frames: read the files first";
             return Err(PyTypeError::new_err(told));
         };
-        let arrays = recorded.iter().map(|own| own.arrays(setup)).collect::<PyResult<Vec<_>>>()?;
+        let mut arrays = recorded.iter().map(|own| own.arrays(setup)).collect::<PyResult<Vec<_>>>()?;
+        let weights: Vec<(&str, f64)> = weights.iter().flatten().map(|(run, weight)| (run.as_str(), *weight)).collect();
+        weigh(setup, &mut arrays, &weights).map_err(|e| Class::Data.error(e))?;
         // All or none.
         let mut whole = self.factor.clone();
         let pushed = py.detach(|| arrays.iter().try_for_each(|own| whole.push(setup, own)).map_err(errors::of_arrays));

@@ -1,14 +1,15 @@
 //! An estimate with its covariance, and what a report says of it.
 
-use crate::arguments::{instrument, limits};
+use crate::arguments::{Stated, instrument, limits};
 use crate::errors::Class;
 use crate::object::object;
 use crate::table::{Given, array};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::sync::Arc;
+use trunnion::data::MachineAtHand;
 use trunnion::document;
 use trunnion::study::{self, Observation, coefficient_unit, report_on};
 use trunnion_codegen::emit::equations;
@@ -22,19 +23,27 @@ type Curve<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 pub struct Fit {
     setup: Arc<trunnion::Setup>,
     fit: study::Fit,
-    /// Those that stand for all samples; none of a factor.
-    observations: Option<Vec<Observation>>,
+    /// Those that stand for all samples.
+    observations: Vec<Observation>,
     without_table: bool,
+    /// What is told of the machine at hand.
+    machine: MachineAtHand,
 }
 
 impl Fit {
     pub fn new(
         setup: &Arc<trunnion::Setup>,
         fit: study::Fit,
-        observations: Option<Vec<Observation>>,
+        observations: Vec<Observation>,
         without_table: bool,
     ) -> Self {
-        Self { setup: Arc::clone(setup), fit, observations, without_table }
+        let machine = MachineAtHand::default();
+        Self { setup: Arc::clone(setup), fit, observations, without_table, machine }
+    }
+
+    /// The same with what is told of the machine at hand.
+    pub fn of_machine(self, machine: &MachineAtHand) -> Self {
+        Self { machine: machine.clone(), ..self }
     }
 
     fn function_id(&self, name: &str) -> PyResult<FunctionId> {
@@ -49,20 +58,19 @@ impl Fit {
     fn report_value(
         &self,
         py: Python<'_>,
-        instrument: Option<&str>,
+        instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<serde_json::Value> {
-        let Some(observations) = &self.observations else {
-            let told = "a fit of a factor has no report: its samples are gone\n  expected a fit of arrays or files";
-            return Err(PyValueError::new_err(told));
-        };
-        let setup = &self.setup;
-        let (limits, instrument) =
-            (limits(&setup.model, length_um, angle_urad)?, self::instrument(&setup.model, instrument)?);
+        let (setup, observations) = (&self.setup, &self.observations);
+        let limits = limits(&setup.model, length_um, angle_urad)?;
+        let (instrument, name) = self::instrument(&setup.model, instrument)?;
         let report = py.detach(|| {
             let report = report_on(setup, observations, &self.fit, limits, &instrument, self.without_table)?;
-            Ok(document::report(setup, &report))
+            let mut told = document::report(setup, &report);
+            told["instrument"]["name"] = name.into();
+            document::at_hand(&mut told, &self.machine);
+            Ok(told)
         });
         report.map_err(|e: study::SetupError| Class::Model.error(e))
     }
@@ -128,7 +136,7 @@ impl Fit {
         self.fit.separation.condition
     }
 
-    /// Root mean square of the residuals of each recording, mm; none of a factor.
+    /// Root mean square of the residuals of each recording, mm; of a factor those of each run together.
     #[getter]
     fn rms<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.fit.rms)
@@ -156,8 +164,15 @@ impl Fit {
         Ok((PyArray1::from_vec(py, values), PyArray1::from_vec(py, stds)))
     }
 
+    /// Whether it is of a factor: `report` then has None for `recordings` (traces and histograms of residuals), and its warnings know
+    /// neither single residuals far out nor the mistake that explains a misfit.
+    #[getter]
+    fn of_factor(&self) -> bool {
+        self.fit.of_factor
+    }
+
     /// Readings less what the estimate makes of them, mm: for each run a list of arrays, one for each of its recordings. `runs` as of
-    /// `fit`, arrays or frames.
+    /// `fit`, arrays or frames; of a factor, too, whose samples are at hand.
     fn residuals<'py>(&self, py: Python<'py>, runs: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
         let Given::Arrays(recorded) = Given::new(&self.setup, runs)? else {
             return Err(PyTypeError::new_err("runs: files\n  expected arrays or frames"));
@@ -179,13 +194,13 @@ impl Fit {
         Ok(all)
     }
 
-    /// Everything of the fit with its uncertainty: what `trunnion fit --json` prints. `instrument`: "QC20-W", without it the model's;
-    /// limits of the machine's errors in µm and µrad, without them the model's.
+    /// Everything of the fit with its uncertainty: what `trunnion fit --json` prints but `made`, what it says of itself. `instrument`:
+    /// "QC20-W", or values in place of the model's as in its `[instrument]`: `{"constant_um": 0.5, "proportional": 0.001}`; limits of the machine's errors in µm and µrad, without them the model's.
     #[pyo3(signature = (*, instrument=None, length_um=None, angle_urad=None))]
     fn report<'py>(
         &self,
         py: Python<'py>,
-        instrument: Option<&str>,
+        instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
@@ -200,7 +215,7 @@ impl Fit {
         &self,
         py: Python<'py>,
         function: &str,
-        instrument: Option<&str>,
+        instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {

@@ -1,6 +1,7 @@
 //! Descriptions and what is derived from them.
 
-use crate::arguments::{instrument, limits, size, within};
+use crate::arguments::{Stated, instrument, limits, size, within};
+use crate::compared::Compared;
 use crate::errors::{self, Class};
 use crate::object::object;
 use pyo3::prelude::*;
@@ -37,7 +38,10 @@ pub struct Model {
 
 impl Model {
     fn new(py: Python<'_>, name: String, text: String) -> PyResult<Self> {
-        let described = Described { model: Named { name, text }, stated: None };
+        Self::of(py, Described { model: Named { name, text }, stated: None })
+    }
+
+    pub fn of(py: Python<'_>, described: Described) -> PyResult<Self> {
         let derived = py.detach(|| described.derive());
         let (model, derivation) = derived.map_err(|found| errors::problems(&described, &found))?;
         let derivation = Py::new(py, Derivation::of(model, derivation))?;
@@ -78,6 +82,12 @@ impl Model {
             Err(_) => py.import("trunnion._description")?.call_method1("toml", (description,))?.extract()?,
         };
         Self::new(py, name.to_owned(), text)
+    }
+
+    #[staticmethod]
+    fn _of(py: Python<'_>, name: String, text: String, stated: Option<(String, String)>) -> PyResult<Self> {
+        let stated = stated.map(|(name, text)| Named { name, text });
+        Self::of(py, Described { model: Named { name, text }, stated })
     }
 
     /// Its name.
@@ -128,7 +138,7 @@ impl Model {
         lengths: Option<BTreeMap<String, f64>>,
         samples: usize,
         noise_um: f64,
-        instrument: Option<&str>,
+        instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
@@ -161,17 +171,42 @@ impl Model {
             range: (0.0, TAU),
             sigma: uniform_std(size("noise_um", noise_um)? * Unit::Um.factor()),
             limits: limits(model, length_um, angle_urad)?,
-            instrument: self::instrument(model, instrument)?,
+            instrument: self::instrument(model, instrument)?.0,
         };
         let asked = Asked { functions: asked, measured };
         let found = py.detach(|| design(&self.described.draft().unwrap_or_default(), model, &asked, &|_| {}));
         object(py, &document::design(model, &found.map_err(refused)?))
     }
 
+    /// What its runs would give, before anything is measured, with one bar or another (`radius`, mm), over one range or another
+    /// (`range_deg`) and without some (`without`: lists of runs that are left out together; each in turn if none is given); which
+    /// are enough; what they confound, and which runs of the catalogue would help. From noise alone: `trunnion plan`.
+    #[pyo3(signature = (*, radius=None, lengths=None, range_deg=None, without=None, samples=360, noise_um=0.1, estimator="joint", length_um=None, angle_urad=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords")]
+    fn compare<'py>(
+        &self,
+        py: Python<'py>,
+        radius: Option<Vec<f64>>,
+        lengths: Option<BTreeMap<String, f64>>,
+        range_deg: Option<Vec<(f64, f64)>>,
+        without: Option<Vec<Vec<String>>>,
+        samples: usize,
+        noise_um: f64,
+        estimator: &str,
+        length_um: Option<f64>,
+        angle_urad: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let limits = limits(self.model(), length_um, angle_urad)?;
+        let (estimator, lengths) = (crate::arguments::estimator(estimator)?, lengths.unwrap_or_default());
+        let compared = Compared { radius, lengths, range_deg, without, samples, noise_um, estimator, limits };
+        object(py, &compared.overview(py, &self.described, self.model())?)
+    }
+
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let py = slf.py();
-        let Named { name, text } = &slf.get().described.model;
-        Ok((py.get_type::<Self>().getattr("from_description")?, (text, name).into_pyobject(py)?))
+        let Described { model: Named { name, text }, stated } = slf.get().described.as_ref();
+        let stated = stated.as_ref().map(|Named { name, text }| (name, text));
+        Ok((py.get_type::<Self>().getattr("_of")?, (name, text, stated).into_pyobject(py)?))
     }
 
     fn __repr__(&self) -> String {

@@ -2,6 +2,7 @@
 
 use crate::arguments::{estimator, limits, range, size, variance, within};
 use crate::errors::{self, Class};
+use crate::files::{self, Files};
 use crate::fit::Fit;
 use crate::model::{Derivation, Model};
 use crate::object::object;
@@ -11,15 +12,14 @@ use crate::table::{Given, array, complete};
 use numpy::{PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 use std::collections::{BTreeMap, HashMap};
 use std::path::PathBuf;
 use std::sync::Arc;
-use trunnion::data::RunFiles;
 use trunnion::data::limits::SAMPLES;
 use trunnion::document;
 use trunnion::study::plan::{self, Intended, predict, uniform_std};
-use trunnion::study::{self, Arrays, Drawn, Failed, How, Simulation, fit_recorded, studies, weigh};
+use trunnion::study::{self, Arrays, Drawn, How, Simulation, fit_recorded, studies, weigh};
 use trunnion_codegen::emit::model::known_name;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::quantity::Unit;
@@ -43,7 +43,7 @@ impl Setup {
         let mut described = own.model().as_ref().clone();
         if let Some(names) = &kept {
             let run = |name: &String| {
-                described.runs.position(|run| run.name == *name).ok_or_else(|| unknown(&described, name))
+                described.runs.position(|run| run.name == *name).ok_or_else(|| errors::unknown_run(&described, name))
             };
             let mut ids = names.iter().map(run).collect::<PyResult<Vec<RunId>>>()?;
             ids.sort_unstable();
@@ -63,7 +63,7 @@ impl Setup {
     }
 
     fn run(&self, name: &str) -> PyResult<RunId> {
-        self.setup.run(name).ok_or_else(|| unknown(&self.setup.model, name))
+        self.setup.run(name).ok_or_else(|| errors::unknown_run(&self.setup.model, name))
     }
 
     fn simulation(
@@ -85,11 +85,6 @@ impl Setup {
         }
         Ok(simulation)
     }
-}
-
-fn unknown(model: &trunnion_codegen::model::Model, name: &str) -> PyErr {
-    let runs: Vec<&str> = model.runs.iter().map(|run| run.name.as_str()).collect();
-    Class::Data.error(format!("the model has no run `{name}`\n  expected {}", runs.join(", ")))
 }
 
 #[pymethods]
@@ -114,6 +109,17 @@ impl Setup {
     #[pyo3(signature = (path, /, **lengths))]
     fn from_file(py: Python<'_>, path: PathBuf, lengths: Option<HashMap<String, f64>>) -> PyResult<Self> {
         Self::new(&Bound::new(py, Model::from_file(py, path)?)?, lengths)
+    }
+
+    /// The set-up of a project file, or of the folder that it lies in: of the runs that were made. `Project` has their files, too.
+    #[staticmethod]
+    #[pyo3(signature = (path, /, **lengths))]
+    fn from_project<'py>(
+        py: Python<'py>,
+        path: PathBuf,
+        lengths: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        py.import("trunnion")?.getattr("Project")?.call((path,), lengths)?.getattr("setup")
     }
 
     /// A model file's text, or its tables as a dict, with its lengths, mm.
@@ -209,7 +215,8 @@ impl Setup {
     /// `runs` maps each run's name to a recording, or to a list of them where it was measured several times: a tuple of two arrays
     /// (n,), the sweep in rad and the reading in mm; a dict of arrays or a frame of pandas, polars or pyarrow whose columns say their
     /// units (`a_deg` or `a_rad`, `dr_um` or `dr_mm`, known functions as `dya_um` with their standard uncertainty as `u_dya_um`); or
-    /// the path of a file, then for all runs, with `table` for the known functions.
+    /// the path of a file, then for all runs, with `table` for the known functions and `columns` for what columns are called where they
+    /// have other names: `{"a": "Angle [deg]"}`, or with the unit stated `{"dr_um": "Radius"}`.
     ///
     /// `estimator`: "joint" or "two-step". `robust`: weigh readings down that are far off the others (Huber). `weights`: one over the
     /// variance of a run's readings, up to a common factor. `sigma_um`: the standard deviation of a reading, µm, where it is known;
@@ -217,13 +224,14 @@ impl Setup {
     ///
     /// Samples are in the order in which they were taken. `float64` arrays are read where they lie, and must not change meanwhile:
     /// other threads go on.
-    #[pyo3(signature = (runs, /, *, table=None, estimator="joint", robust=false, weights=None, sigma_um=None))]
+    #[pyo3(signature = (runs, /, *, table=None, columns=None, estimator="joint", robust=false, weights=None, sigma_um=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn fit(
         &self,
         py: Python<'_>,
         runs: &Bound<'_, PyAny>,
         table: Option<PathBuf>,
+        columns: Option<BTreeMap<String, String>>,
         estimator: &str,
         robust: bool,
         weights: Option<BTreeMap<String, f64>>,
@@ -232,21 +240,16 @@ impl Setup {
         let setup = self.setup.as_ref();
         let how = How { estimator: self::estimator(estimator)?, variance: variance(sigma_um)?, robust };
         let weights: Vec<(&str, f64)> = weights.iter().flatten().map(|(run, weight)| (run.as_str(), *weight)).collect();
-        let weight = |e| Class::Data.error(e);
         let (fit, observations, without_table) = match Given::new(setup, runs)? {
-            Given::Files(files) => {
-                let fitted = py.detach(|| {
-                    let given: Vec<_> = files.iter().map(|(run, file)| (run.as_str(), file)).collect();
-                    let files = RunFiles::new(setup, &given).map_err(|e| errors::observations(&e))?;
-                    let mut recorded = files.open(setup, table.as_deref()).map_err(|e| errors::observations(&e))?;
-                    weigh(setup, &mut recorded, &weights).map_err(weight)?;
-                    fit_recorded(setup, &recorded, how).map_err(|failed| match failed {
-                        Failed::Estimate(e) => errors::estimate(&e),
-                        Failed::Recording(e) => errors::file(&e),
-                    })
-                });
-                let (fit, observations) = fitted?;
+            Given::Files(runs) => {
+                let (columns, table) = (files::columns(columns)?, table.as_deref());
+                let files = Files { runs: &runs, columns, table, weights: &weights };
+                let (fit, observations) = py.detach(|| files.fit(setup, how))?;
                 (fit, observations, table.is_none())
+            }
+            Given::Arrays(_) if columns.is_some() => {
+                let told = "columns: of no use with arrays\n  expected columns by their own names: a_deg, dr_um, …";
+                return Err(PyTypeError::new_err(told));
             }
             Given::Arrays(_) if table.is_some() => {
                 let told = "table: of no use with arrays\n  expected the known functions as columns beside the readings: dya_um, …";
@@ -256,13 +259,13 @@ impl Setup {
                 complete(setup, &recorded)?;
                 let arrays = recorded.iter().map(|own| own.arrays(setup));
                 let mut arrays: Vec<Arrays<'_>> = arrays.collect::<PyResult<_>>()?;
-                weigh(setup, &mut arrays, &weights).map_err(weight)?;
+                weigh(setup, &mut arrays, &weights).map_err(|e| Class::Data.error(e))?;
                 let fitted = py.detach(|| fit_recorded(setup, &arrays, how).map_err(errors::of_arrays));
                 let (fit, observations) = fitted.map_err(|e| errors::estimate(&e))?;
                 (fit, observations, !recorded.iter().any(|own| own.has_known()))
             }
         };
-        Ok(Fit::new(&self.setup, fit, Some(observations), without_table))
+        Ok(Fit::new(&self.setup, fit, observations, without_table))
     }
 
     /// What such runs would give, before anything is measured: rank, condition, the standard deviation of each base parameter, the

@@ -4,7 +4,7 @@ Lengths are in mm and angles in rad wherever a name does not say otherwise (``a_
 """
 
 from trunnion._errors import DataError, EstimateError, FactorError, ModelError, PoseError, TrunnionError
-from trunnion._trunnion import Derivation, Exechon, Factor, Fit, Model, Setup, Simulated, models
+from trunnion._trunnion import Derivation, Exechon, Factor, Fit, Model, Project, Setup, Simulated, models
 
 __all__ = [
     "DataError",
@@ -17,6 +17,7 @@ __all__ = [
     "Model",
     "ModelError",
     "PoseError",
+    "Project",
     "Setup",
     "Simulated",
     "TrunnionError",

@@ -1,11 +1,12 @@
 from collections.abc import Mapping, Sequence
 from os import PathLike
+from pathlib import Path
 from typing import Any, Literal, final
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["Derivation", "Exechon", "Factor", "Fit", "Model", "Setup", "Simulated", "models"]
+__all__ = ["Derivation", "Exechon", "Factor", "Fit", "Model", "Project", "Setup", "Simulated", "models"]
 
 _Vector = np.ndarray[tuple[int], np.dtype[np.float64]]
 _Matrix = np.ndarray[tuple[int, int], np.dtype[np.float64]]
@@ -13,6 +14,8 @@ _Path = str | PathLike[str]
 # A pair of arrays, a dict of arrays, a frame, the path of a file; a list of them where a run was measured several times.
 _Runs = Mapping[str, Any]
 _Estimator = Literal["joint", "two-step"]
+# A name, or the keys of `[instrument]` in a model file.
+_Instrument = str | Mapping[str, str | float]
 _Unreachable = Literal["raise", "nan"]
 _Frame = Literal["machine", "base"]
 _Tilted = Literal["projected", "carried"]
@@ -47,7 +50,20 @@ class Model:
         lengths: Mapping[str, float] | None = None,
         samples: int = 360,
         noise_um: float = 0.1,
-        instrument: str | None = None,
+        instrument: _Instrument | None = None,
+        length_um: float | None = None,
+        angle_urad: float | None = None,
+    ) -> dict[str, Any]: ...
+    def compare(
+        self,
+        *,
+        radius: Sequence[float] | None = None,
+        lengths: Mapping[str, float] | None = None,
+        range_deg: Sequence[tuple[float, float]] | None = None,
+        without: Sequence[Sequence[str]] | None = None,
+        samples: int = 360,
+        noise_um: float = 0.1,
+        estimator: _Estimator = "joint",
         length_um: float | None = None,
         angle_urad: float | None = None,
     ) -> dict[str, Any]: ...
@@ -80,6 +96,8 @@ class Setup:
     @staticmethod
     def from_file(path: _Path, /, **lengths: float) -> Setup: ...
     @staticmethod
+    def from_project(path: _Path, /, **lengths: float) -> Setup: ...
+    @staticmethod
     def from_description(description: str | Mapping[str, Any], /, **lengths: float) -> Setup: ...
     @property
     def model(self) -> Model: ...
@@ -110,6 +128,7 @@ class Setup:
         /,
         *,
         table: _Path | None = None,
+        columns: Mapping[str, str] | None = None,
         estimator: _Estimator = "joint",
         robust: bool = False,
         weights: Mapping[str, float] | None = None,
@@ -148,6 +167,32 @@ class Setup:
     ) -> list[dict[str, Any]]: ...
 
 @final
+class Project:
+    def __new__(cls, path: _Path, /, **lengths: float) -> Project: ...
+    @property
+    def setup(self) -> Setup: ...
+    @property
+    def runs(self) -> dict[str, list[Path]]: ...
+    @property
+    def table(self) -> Path | None: ...
+    @property
+    def estimator(self) -> _Estimator: ...
+    @property
+    def robust(self) -> bool: ...
+    @property
+    def weights(self) -> dict[str, float]: ...
+    @property
+    def machine(self) -> dict[str, str]: ...
+    def fit(
+        self,
+        *,
+        estimator: _Estimator | None = None,
+        robust: bool | None = None,
+        weights: Mapping[str, float] | None = None,
+        sigma_um: float | None = None,
+    ) -> Fit: ...
+
+@final
 class Simulated:
     @property
     def runs(self) -> dict[str, dict[str, _Vector]]: ...
@@ -178,25 +223,35 @@ class Fit:
     @property
     def rms(self) -> _Vector: ...
     @property
+    def of_factor(self) -> bool: ...
+    @property
     def functions(self) -> dict[str, str]: ...
     def function(self, name: str, at: npt.ArrayLike) -> tuple[_Vector, _Vector]: ...
     def residuals(self, runs: _Runs) -> dict[str, list[_Vector]]: ...
     def report(
-        self, *, instrument: str | None = None, length_um: float | None = None, angle_urad: float | None = None
+        self, *, instrument: _Instrument | None = None, length_um: float | None = None, angle_urad: float | None = None
     ) -> dict[str, Any]: ...
     def budget(
         self,
         function: str,
         /,
         *,
-        instrument: str | None = None,
+        instrument: _Instrument | None = None,
         length_um: float | None = None,
         angle_urad: float | None = None,
     ) -> dict[str, Any] | None: ...
 
 @final
 class Factor:
-    def __new__(cls, setup: Setup, runs: _Runs | None = None, /, *, estimator: _Estimator = "joint") -> Factor: ...
+    def __new__(
+        cls,
+        setup: Setup,
+        runs: _Runs | None = None,
+        /,
+        *,
+        estimator: _Estimator = "joint",
+        weights: Mapping[str, float] | None = None,
+    ) -> Factor: ...
     @staticmethod
     def from_bytes(bytes: bytes) -> Factor: ...
     def to_bytes(self) -> bytes: ...
@@ -204,7 +259,7 @@ class Factor:
     def samples(self) -> int: ...
     @property
     def estimator(self) -> _Estimator: ...
-    def push(self, setup: Setup, runs: _Runs) -> None: ...
+    def push(self, setup: Setup, runs: _Runs, *, weights: Mapping[str, float] | None = None) -> None: ...
     def solve(self, setup: Setup, /, *, sigma_um: float | None = None) -> Fit: ...
     def merge(self, other: Factor) -> None: ...
     def __add__(self, other: Factor, /) -> Factor: ...

@@ -42,7 +42,9 @@ def budget(report: dict[str, Any], name: str, ax: Axes | None = None) -> Axes:
 
 
 def residuals(report: dict[str, Any], ax: Axes | None = None) -> Axes:
-    """The residuals of every recording, averaged over steps of its sweep."""
+    """The residuals of every recording, averaged over steps of its sweep; ValueError of a factor's report, which has none."""
+    if report["recordings"] is None:
+        raise ValueError("the report is of a factor, which keeps no residuals\n  expected the report of a fit of arrays or files")
     ax = ax or plt.subplots(layout="constrained")[1]
     for recording in report["recordings"]:
         for way in ("increasing", "decreasing"):

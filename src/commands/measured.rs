@@ -9,13 +9,12 @@ use super::{Refused, seen};
 use clap::{Args, ValueEnum};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use trunnion::data::{Columns, FileError, MachineAtHand, ObservationsError, Project, Recorded, RunFiles, Stamp};
+use trunnion::data::{self, Columns, FileError, MachineAtHand, ObservationsError, Project, Recorded, RunFiles, Stamp};
 use trunnion::study::plan::subset;
 use trunnion::study::{
     Estimator, Failed, Fit, How, Instrument, Observation, Recording, Report, Setup, SetupError, Sources, fit_recorded,
     report_on, weigh,
 };
-use trunnion_codegen::ids::RunId;
 use trunnion_codegen::model::Model;
 
 /// Model, runs and how they are fitted.
@@ -127,8 +126,8 @@ impl MeasuredArguments {
             Some((name, file)) => Ok((name.to_owned(), PathBuf::from(file))),
             None => Err(not(given)),
         });
-        let runs = project.into_iter().flat_map(|project| &project.runs);
-        let of_project = runs.flat_map(|run| run.files.iter().map(|file| Ok((run.name.clone(), file.clone()))));
+        let of_project = project.into_iter().flat_map(Project::files);
+        let of_project = of_project.map(|(name, file)| Ok((name.to_owned(), file.to_owned())));
         let files: Vec<_> = given.chain(of_project).collect::<Result<_, _>>()?;
         if files.is_empty() { Err(Refused::NoRuns) } else { Ok(files) }
     }
@@ -138,10 +137,7 @@ impl MeasuredArguments {
         let split = |given| pair(given).and_then(|(name, weight)| Some((name, weight.parse().ok()?)));
         let given = self.weights.iter().map(|given| split(given).ok_or_else(|| Refused::Weight(given.clone())));
         let given: Vec<(&str, f64)> = given.collect::<Result<_, _>>()?;
-        let of_project = project.into_iter().flat_map(|project| &project.runs).flat_map(|own| {
-            let runs = model.runs.iter().filter(|run| is_of(&run.name, &own.name));
-            runs.filter_map(|run| Some((run.name.as_str(), own.weight?)))
-        });
+        let of_project = project.into_iter().flat_map(|project| project.weights(model));
         let others: Vec<_> = of_project.filter(|(run, _)| given.iter().all(|(name, _)| name != run)).collect();
         Ok([given, others].concat())
     }
@@ -238,19 +234,10 @@ fn named(given: &[(String, PathBuf)]) -> Vec<(&str, &Path)> {
     given.iter().map(|(name, file)| (name.as_str(), file.as_path())).collect()
 }
 
-/// Whether a run is that of a name, or one of its three displacements.
-fn is_of(run: &str, name: &str) -> bool {
-    run == name || run.strip_suffix(['x', 'y', 'z']).is_some_and(|r| r.strip_suffix('-') == Some(name))
-}
-
 /// Keeps the runs that were made; with a name that no run has, all, which is told where the files are read.
 fn made(model: &mut Model, given: &[(String, PathBuf)]) -> Result<(), Refused> {
-    let of = |name: &str| model.runs.iter().any(|run| is_of(&run.name, name));
-    if !given.iter().all(|(name, _)| of(name)) {
-        return Ok(());
-    }
-    let made = |run: &str| given.iter().any(|(name, _)| is_of(run, name));
-    let (kept, left): (Vec<RunId>, Vec<RunId>) = model.runs.keys().partition(|run| made(&model.runs[*run].name));
+    let names: Vec<&str> = given.iter().map(|(name, _)| name.as_str()).collect();
+    let (kept, left) = data::made(model, &names);
     if left.is_empty() {
         return Ok(());
     }

@@ -6,9 +6,9 @@ use super::pair::pair;
 use super::reported::read;
 use clap::Args;
 use serde_json::Value;
-use std::io::{ErrorKind, IsTerminal};
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use trunnion::data::{PROJECT, Positions, Project, Radius, Stamp, TextError, read_text};
+use trunnion::data::{self, PROJECT, Positions, Project, Radius, Stamp};
 use trunnion::study::{Setup, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::model::Model;
@@ -20,6 +20,12 @@ pub struct Source {
     pub described: Described,
     /// The project, if it is one's.
     pub project: Option<Project>,
+}
+
+impl From<data::Source> for Source {
+    fn from(data::Source { described, project }: data::Source) -> Self {
+        Self { described, project }
+    }
 }
 
 impl Source {
@@ -72,49 +78,13 @@ impl Source {
 
 /// A model by its catalogue name or from a file, a project by its file or folder; the project of this folder without a name.
 pub fn source(name: Option<&str>) -> Result<Source, Refused> {
-    let Some(name) = name else {
-        let here = Path::new(PROJECT);
-        return if here.exists() { project(PROJECT.to_owned(), text(here)?) } else { Err(Refused::NoModel) };
-    };
-    if let Some(text) = catalogue::source(name) {
-        return Ok(plain(name.to_owned(), text.to_owned()));
+    let here = Path::new(PROJECT);
+    Ok(match name {
+        Some(name) => data::Source::named(name)?,
+        None if here.exists() => data::Source::of_project(here)?,
+        None => return Err(Refused::NoModel),
     }
-    let path = match Path::new(name) {
-        folder if folder.is_dir() && !folder.join(PROJECT).exists() => return Err(Refused::NoProject(name.to_owned())),
-        folder if folder.is_dir() => folder.join(PROJECT),
-        file => file.to_owned(),
-    };
-    let (text, name) = (text(&path)?, path.display().to_string());
-    if Project::is_one(&text) { project(name, text) } else { Ok(plain(name, text)) }
-}
-
-fn plain(name: String, text: String) -> Source {
-    Source { described: Described { model: Named { name, text }, stated: None }, project: None }
-}
-
-/// A project with the model that it names.
-fn project(name: String, text: String) -> Result<Source, Refused> {
-    let folder = Path::new(&name).parent().unwrap_or(Path::new("")).to_owned();
-    let project = Project::read(&text, &folder).map_err(|e| Refused::Project(PathBuf::from(&name), e))?;
-    let model = match catalogue::source(&project.model) {
-        Some(text) => Named { name: project.model.clone(), text: text.to_owned() },
-        None => {
-            let file = folder.join(&project.model);
-            Named { text: self::text(&file)?, name: file.display().to_string() }
-        }
-    };
-    Ok(Source { described: Described { model, stated: Some(Named { name, text }) }, project: Some(project) })
-}
-
-fn text(file: &Path) -> Result<String, Refused> {
-    read_text(file).map_err(|e| {
-        let names = catalogue::MODELS.iter().map(|(n, _)| *n).collect::<Vec<_>>().join(", ");
-        match e {
-            TextError::Unreadable(ErrorKind::NotFound) => Refused::NoSuchModel(file.display().to_string(), names),
-            TextError::Unreadable(kind) => Refused::Unreadable(file.to_owned(), kind, names),
-            other => Refused::Text(file.to_owned(), other),
-        }
-    })
+    .into())
 }
 
 /// A model and the lengths of its set-up.

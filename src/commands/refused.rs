@@ -3,12 +3,11 @@
 use super::output::OutputError;
 use super::pair::pair;
 use super::seen::seen;
-use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
 use trunnion::circular::{CircularError, TraceError};
 use trunnion::data::{
-    FileError, FileProblem, NativeError, ObservationsError, PositionsProblem, ProjectError, RadiusError, TextError,
+    FileError, FileProblem, NativeError, ObservationsError, PositionsProblem, RadiusError, SourceError, TextError,
     WriteError,
 };
 use trunnion::export::{GridError, NoAxis, NoPivots, NoPlace};
@@ -67,16 +66,12 @@ pub enum Refused {
     Component(#[from] ComponentError),
     #[error(transparent)]
     Output(#[from] OutputError),
-    #[error("no model `{0}` in the catalogue and no such file\n  expected a model file or one of {1}")]
-    NoSuchModel(String, String),
+    #[error(transparent)]
+    Source(#[from] SourceError),
     #[error(
         "no MODEL, and no trunnion.toml in this folder\n  expected a name from `trunnion models`, a model file, or a project"
     )]
     NoModel,
-    #[error("{0}: a folder without trunnion.toml\n  expected a model file, or a folder that `trunnion new` has made")]
-    NoProject(String),
-    #[error("{file}: {problem}", file = .0.display(), problem = .1)]
-    Project(PathBuf, ProjectError),
     #[error("no --out\n  expected the folder to be made, or a project, whose plan and programs are then written anew")]
     NoFolder,
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
@@ -87,8 +82,6 @@ pub enum Refused {
         "no run\n  expected --run NAME=FILE for each run that was made, or [run.NAME] with its files in the project"
     )]
     NoRuns,
-    #[error("{file}: {problem}\n  expected a model file or one of {names}", file = .0.display(), problem = .1, names = .2)]
-    Unreadable(PathBuf, io::ErrorKind, String),
     #[error("{file}: {problem}", file = .0.display(), problem = .1)]
     Text(PathBuf, TextError),
     #[error("this model cannot be used\n{0}")]

@@ -4,6 +4,7 @@
 //! over the model file's own, which reads it ([`Described`](trunnion_codegen::problems::Described)); here is the rest.
 
 use super::called::Columns;
+use super::made::is_of;
 use super::positions::{Positions, Stated};
 use crate::study::{Estimator, MOST_WEIGHT};
 use serde::Deserialize;
@@ -12,12 +13,13 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 use toml::Spanned;
+use trunnion_codegen::model::Model;
 
 /// Its name in a folder.
 pub const PROJECT: &str = "trunnion.toml";
 
 /// What a project file says of files, and how they are fitted. Paths are resolved.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Project {
     /// A name of the catalogue, or a file.
     pub model: String,
@@ -90,6 +92,24 @@ pub enum ProjectError {
         /// Counted from 1.
         line: usize,
     },
+}
+
+impl MachineAtHand {
+    /// Each with its name.
+    pub fn told(&self) -> [(&'static str, Option<&str>); 5] {
+        let Self { name, serial, operator, date, note } = self;
+        [("name", name), ("serial", serial), ("operator", operator), ("date", date), ("note", note)]
+            .map(|(key, value)| (key, value.as_deref()))
+    }
+}
+
+impl ProjectError {
+    /// Where, counted from 1.
+    pub fn line(&self) -> usize {
+        match self {
+            Self::Format { line, .. } | Self::Weight { line, .. } | Self::NoFile { line } => *line,
+        }
+    }
 }
 
 #[derive(Deserialize)]
@@ -180,6 +200,19 @@ impl Project {
             table: file.fit.table.map(|table| folder.join(table)),
             positions: file.positions_deg.map(|stated| Positions::of(stated, text)),
             runs: file.run.into_iter().map(run).collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Each file with the name of its run.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &Path)> {
+        self.runs.iter().flat_map(|run| run.files.iter().map(|file| (run.name.as_str(), file.as_path())))
+    }
+
+    /// The weights of a model's runs, where one is stated.
+    pub fn weights<'a>(&'a self, model: &'a Model) -> impl Iterator<Item = (&'a str, f64)> {
+        self.runs.iter().flat_map(|own| {
+            let runs = model.runs.iter().filter(|run| is_of(&run.name, &own.name));
+            runs.filter_map(|run| Some((run.name.as_str(), own.weight?)))
         })
     }
 }

@@ -1,11 +1,13 @@
 //! Results as one JSON object each, for a program: what the commands print and other languages get.
 
 mod design;
+mod overview;
 mod pivots;
 mod positions;
 mod prediction;
 
 pub use design::design;
+pub use overview::overview;
 pub use pivots::pivots;
 pub use positions::positions;
 pub use prediction::prediction;
@@ -47,7 +49,7 @@ pub fn report(setup: &Setup, report: &Report) -> Value {
         "instrument": instrument(&report.instrument),
         "coverage": COVERAGE,
         "runs": runs.collect::<Map<_, _>>(),
-        "recordings": recordings.collect::<Vec<_>>(),
+        "recordings": (!report.of_factor).then(|| recordings.collect::<Vec<_>>()),
         "coefficients": coefficients.collect::<Vec<_>>(),
         "functions": report.functions.iter().map(curve).collect::<Vec<_>>(),
         "weighed_down": report.weighed_down.iter().map(|(run, down)| json!({
@@ -71,9 +73,7 @@ pub fn report(setup: &Setup, report: &Report) -> Value {
 
 /// Adds what a project tells of the machine at hand.
 pub fn at_hand(report: &mut Value, machine: &MachineAtHand) {
-    let MachineAtHand { name, serial, operator, date, note } = machine;
-    let told = [("name", name), ("serial", serial), ("operator", operator), ("date", date), ("note", note)];
-    for (key, value) in told {
+    for (key, value) in machine.told() {
         if let Some(value) = value {
             report["machine"][key] = json!(value);
         }

@@ -23,6 +23,11 @@ pub enum ReportError {
     /// A picture cannot be drawn.
     #[error(transparent)]
     Plot(#[from] PlotError),
+    /// Of a factor, which has no samples to draw.
+    #[error(
+        "a page shows readings and residuals, which a factor does not keep\n  expected the report of a fit of samples"
+    )]
+    OfFactor,
     /// The page lacks a number: a defect of its template.
     #[error("the report cannot be set: {0}\n  expected a document of the same version")]
     Page(#[from] minijinja::Error),
@@ -33,6 +38,9 @@ pub enum ReportError {
 /// # Errors
 /// [`ReportError`]
 pub fn fit(document: &Value, setup: &Setup, report: &Report) -> Result<String, ReportError> {
+    if report.of_factor {
+        return Err(ReportError::OfFactor);
+    }
     let equation = |e: &Equation| json!({ "left": e.left, "terms": e.terms });
     let section =
         |s: &Section| json!({ "title": s.title, "equations": s.equations.iter().map(equation).collect::<Vec<_>>() });

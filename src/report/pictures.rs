@@ -34,13 +34,14 @@ pub(super) fn fit(report: &Report) -> Result<Value, PlotError> {
 }
 
 /// The same pictures as files with titles: of each run `RUN-readings.svg`, `RUN-residuals.svg` and `RUN-histogram.svg`, of each
-/// function that is seen `FUNCTION.svg`. A run that was measured several times is `RUN-1`, `RUN-2`, ….
+/// function that is seen `FUNCTION.svg`. A run that was measured several times is `RUN-1`, `RUN-2`, …. Of a factor's report those of
+/// the functions alone.
 ///
 /// # Errors
 /// [`PlotError`]
 pub fn picture_files(report: &Report) -> Result<Files<'static>, PlotError> {
     let mut files = Files::default();
-    for (index, (name, ..)) in report.runs.iter().enumerate() {
+    for (index, (name, ..)) in report.runs.iter().take(report.traces.len()).enumerate() {
         let titles = ["readings", "residuals", "residuals"].map(|what| format!("{name}: {what}"));
         let drawn = of_run(report, index, titles.each_ref().map(String::as_str))?;
         // `RUN/2` where it was measured several times.

@@ -1,6 +1,7 @@
 //! From the samples of a recording to a factor.
 
 use super::fit::{Failure, FitError};
+use super::observation::Sample;
 use super::recording::Recording;
 use super::rows::{Rows, blocks};
 use super::setup::Setup;
@@ -9,29 +10,37 @@ use trunnion_codegen::ids::{BaseId, RunId};
 use trunnion_solver::lstsq::{Rejected, Step};
 use trunnion_solver::sized::{Block, Column, Estimate, ROWS};
 
-/// Takes the samples of a recording, a block at a time; `columns` are positions in `base`.
+/// Where the rows of a recording go.
+pub(super) struct Into<'a> {
+    /// The step that its run belongs to.
+    pub step: Step,
+    /// Base parameters of the problem.
+    pub base: &'a [BaseId],
+    /// Columns of the step: positions in `base`.
+    pub columns: &'a [usize],
+    /// What takes them.
+    pub problem: &'a mut dyn Estimate,
+}
+
+/// Takes the samples of a recording, a block at a time; `on_sample` is called for each, `on_rows` for the rows of every block.
 pub(super) fn fill<R: Recording>(
     setup: &Setup,
     recording: &R,
-    step: Step,
-    base: &[BaseId],
-    columns: &[usize],
-    problem: &mut dyn Estimate,
+    into: Into<'_>,
+    on_sample: impl FnMut(&Sample),
+    mut on_rows: impl FnMut(&Rows),
 ) -> Result<(), Failure<R::Error>> {
+    let Into { step, base, columns, problem } = into;
     let places = places(setup, recording.run(), base, columns);
     let mut block = Collected::new(columns.len());
     let mut refused = false;
-    blocks(
-        setup,
-        recording,
-        |_| {},
-        |rows| {
-            block.take(rows, &places, None);
-            if block.is_full() {
-                refused |= block.push(step, recording.weight(), problem).is_err();
-            }
-        },
-    )
+    blocks(setup, recording, on_sample, |rows| {
+        on_rows(rows);
+        block.take(rows, &places, None);
+        if block.is_full() {
+            refused |= block.push(step, recording.weight(), problem).is_err();
+        }
+    })
     .map_err(Failure::Recording)?;
     refused |= block.push(step, recording.weight(), problem).is_err();
     if refused { Err(FitError::NotFinite.into()) } else { Ok(()) }

@@ -114,6 +114,8 @@ pub struct Fit {
     pub separation: Separation,
     /// What was weighed down in each observation; none of a fit that is not robust.
     pub weighed_down: Vec<WeighedDown>,
+    /// Made of a factor: what only its samples would tell is not there, neither `traces` nor `histograms` nor residuals far out.
+    pub of_factor: bool,
     /// The step of each observation.
     pub(super) steps: Vec<Step>,
     /// The estimated functions as `base` gives them.
@@ -164,7 +166,7 @@ impl Fit {
             })?;
             let mut look = looking.look();
             self.traces.push(tracing.trace());
-            self.histograms.push(counting.histogram(look.deviation));
+            self.histograms.push(counting.histogram(look.deviation.unwrap_or(look.rms)));
             if !self.weighed_down.is_empty() {
                 // They are told as what was weighed down.
                 look.spikes.clear();

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use trunnion_codegen::ids::RunId;
 
 /// Steps of a turn over which readings of one direction are averaged.
-const STEPS: usize = 180;
+pub(super) const STEPS: usize = 180;
 
 /// What a run reads with the sweep increasing and decreasing.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,10 +37,21 @@ impl Averages {
     pub fn add(&mut self, sample: &Sample) {
         if sample.direction != 0.0 {
             let step = (sample.sweep.rem_euclid(TAU) / TAU * STEPS as f64) as usize % STEPS;
-            let (sum, count) = &mut self.0[usize::from(sample.direction < 0.0)][step];
-            *sum += sample.reading;
-            *count += 1;
+            self.put(sample.direction < 0.0, step, sample.reading, 1);
         }
+    }
+
+    /// Adds the sum of so many readings in one step; `direction` is 0 where it is not known.
+    pub fn add_all(&mut self, direction: i8, step: i32, sum: f64, count: usize) {
+        if direction != 0 {
+            self.put(direction < 0, step.rem_euclid(STEPS as i32) as usize, sum, count);
+        }
+    }
+
+    fn put(&mut self, back: bool, step: usize, more: f64, samples: usize) {
+        let (sum, count) = &mut self.0[usize::from(back)][step];
+        *sum += more;
+        *count += samples;
     }
 
     fn merge(&mut self, other: &Self) {

@@ -1,8 +1,10 @@
 //! The problem that a fit solves, as far as it is a sum over the samples.
 
-use super::fill::fill;
+use super::fill::{Into, fill};
 use super::fit::{Estimator, Failure, Fit, FitError, Variance};
+use super::observation::Sample;
 use super::recording::Recording;
+use super::rows::Rows;
 use super::seen::Seen;
 use super::separation::Separation;
 use super::setup::Setup;
@@ -39,15 +41,22 @@ impl Problem {
             && self.columns == columns(setup, &self.runs, self.estimator)
     }
 
-    /// Takes the samples of a recording of one of its runs.
-    pub fn fill<R: Recording>(&mut self, setup: &Setup, recording: &R) -> Result<(), Failure<R::Error>> {
+    /// Takes the samples of a recording of one of its runs; `on_sample` is called for each, `on_rows` for the rows of every block.
+    pub fn fill<R: Recording>(
+        &mut self,
+        setup: &Setup,
+        recording: &R,
+        on_sample: impl FnMut(&Sample),
+        on_rows: impl FnMut(&Rows),
+    ) -> Result<(), Failure<R::Error>> {
         let run = recording.run();
         if !setup.model.runs[run].nuisance.is_empty() && !recording.is_ordered() {
             return Err(FitError::NoDirection(run).into());
         }
         let step = step(setup, self.estimator, run);
         let base = base(setup, &self.runs);
-        fill(setup, recording, step, &base, &self.columns.of(step), self.sum.as_mut())
+        let into = Into { step, base: &base, columns: &self.columns.of(step), problem: self.sum.as_mut() };
+        fill(setup, recording, into, on_sample, on_rows)
     }
 
     /// The estimate: a fit without what a second look at the samples tells.
@@ -87,6 +96,7 @@ impl Problem {
             histograms: Vec::new(),
             averages: Vec::new(),
             weighed_down: Vec::new(),
+            of_factor: false,
             steps: Vec::new(),
             sensitivity: solved.sensitivity,
             seen: determined.into_iter().map(|d| Seen::new(setup, d)).collect(),

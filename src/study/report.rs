@@ -25,6 +25,8 @@ pub struct Report {
     pub model: String,
     /// How it was estimated.
     pub estimator: Estimator,
+    /// Of a factor: `traces` and `histograms` are not there, and neither residuals far out nor mistakes were looked for.
+    pub of_factor: bool,
     /// Limits of the machine's errors in every line of the budget that needs them.
     pub limits: ErrorLimits,
     /// What is known of the instrument; nothing is in no line.
@@ -147,6 +149,7 @@ pub fn report_on(
     Ok(Report {
         model: setup.model.name.clone(),
         estimator: fit.estimator,
+        of_factor: fit.of_factor,
         limits,
         instrument: *instrument,
         runs: fit.looks.iter().enumerate().map(run).collect(),

@@ -19,7 +19,7 @@ pub fn fit<R: Recording>(
 ) -> Result<Fit, Failure<R::Error>> {
     let How { estimator, variance, robust } = how;
     let mut problem = Problem::new(setup, recordings.iter().map(Recording::run).collect(), estimator)?;
-    recordings.iter().try_for_each(|recording| problem.fill(setup, recording))?;
+    recordings.iter().try_for_each(|recording| problem.fill(setup, recording, |_| {}, |_| {}))?;
     let mut fit = problem.solve(setup, variance)?;
     fit.steps = recordings.iter().map(|recording| step(setup, estimator, recording.run())).collect();
     if robust {

@@ -104,7 +104,7 @@ impl fmt::Display for Warning {
                  outside, its polynomials are only continued",
                 interval.0, interval.1, visited.0, visited.1
             ),
-            Self::Misfit(Misfit { runs, mistake, without_table }) => {
+            Self::Misfit(Misfit { runs, mistake, without_table, of_factor }) => {
                 let each = runs.iter().map(|Odd { run, look, times }| {
                     let (rms, r) = (Unit::Um.from_inner(look.rms), look.correlation);
                     let spikes = match look.spikes.len() {
@@ -118,6 +118,9 @@ impl fmt::Display for Warning {
                 match mistake {
                     Some(mistake) => write!(f, "{mistake}"),
                     None if *without_table => f.write_str("the known functions, taken as zero, are in them"),
+                    None if *of_factor => {
+                        f.write_str("which mistake explains it only a fit of the samples tells, not one of a factor")
+                    }
                     None => f.write_str("no usual mistake explains it: the machine may do what the bases cannot"),
                 }
             }

@@ -1,13 +1,10 @@
 //! `trunnion plan`: what intended runs would tell, before anything is measured.
 
 mod designed;
-mod found;
-mod json;
 mod positions;
 mod text;
 
 use self::designed::Wanted;
-use self::found::Found;
 use self::positions::PositionArguments;
 use super::Refused;
 use super::model::{lengths, others, setup, source};
@@ -17,14 +14,9 @@ use super::predicted::{self, Measuring};
 use super::stated::{InstrumentArguments, LimitArguments, RangeArguments};
 use clap::{ArgGroup, Args};
 use trunnion::data::Radius;
-use trunnion::data::Unit;
-use trunnion::study::plan::design::{Measured, recommended};
-use trunnion::study::plan::{Comparison, additions, compare};
-use trunnion::study::{Instrument, SetupError};
-use trunnion_codegen::catalogue;
-use trunnion_codegen::emit::equations;
+use trunnion::document;
+use trunnion::study::plan::{Comparison, Overview, RADII, RANGES_DEG};
 use trunnion_codegen::model::Model;
-use trunnion_codegen::problems::derivation;
 
 /// Arguments of `plan`.
 #[derive(Debug, Args)]
@@ -68,9 +60,6 @@ pub struct PlanArguments {
     json: bool,
 }
 
-const RADII: [f64; 3] = [100.0, 150.0, 300.0];
-const RANGES: [(f64, f64); 3] = [(0.0, 360.0), (-20.0, 200.0), (-90.0, 90.0)];
-
 impl PlanArguments {
     /// Compares, prints.
     pub fn run(self) -> Result<(), Refused> {
@@ -89,28 +78,14 @@ impl PlanArguments {
             self.ranges.write(&model, &mut draft);
             return self.wanted(&model)?.run(&draft, &model);
         }
-        let derivation = derivation(&model).map_err(SetupError::Description)?;
         let comparison = self.comparison(&model)?;
-        let compared = compare(&model, &comparison)?;
-        let (tried, added) = additions(&draft, &model, &derivation, catalogue::MODELS);
-        let described: Vec<String> =
-            derivation.groups().iter().map(|g| equations::group(&model, &derivation, g)).collect();
-        let measured = self.measured(&model, &comparison)?;
-        let found = Found {
-            recommended: recommended(&draft, &model, &measured)?,
-            model: &model,
-            derivation: &derivation,
-            comparison: &comparison,
-            noise_um: self.measuring.noise_um,
-            named: !self.without.is_empty(),
-            compared,
-            described,
-            tried,
-            added,
-        };
+        let lengths = lengths(&model, self.first_radius()?, &self.lengths)?;
+        let measured = comparison.first(lengths, self.limits.of(&model));
+        let found = Overview::new(&draft, &model, &comparison, &measured)?;
+        let noise_um = self.measuring.noise_um;
         Ok(print(&match self.json {
-            true => format!("{:#}\n", json::json(&found)),
-            false => text::text(&found),
+            true => format!("{:#}\n", document::overview(&found, noise_um)),
+            false => text::text(&found, noise_um, !self.without.is_empty()),
         })?)
     }
 
@@ -151,25 +126,11 @@ impl PlanArguments {
         Ok(Comparison {
             radii: if self.radius.is_empty() { RADII.to_vec() } else { given(&self.radius)? },
             lengths: others(model, &self.lengths)?,
-            ranges_deg: if self.range_deg.is_empty() { RANGES.to_vec() } else { self.range_deg.clone() },
+            ranges_deg: if self.range_deg.is_empty() { RANGES_DEG.to_vec() } else { self.range_deg.clone() },
             without: self.without(model)?,
             samples: self.measuring.samples as usize,
             sigma: self.measuring.sigma(),
             estimator: self.measuring.estimator.into(),
-        })
-    }
-
-    /// The first of what is compared, for the recommendation.
-    fn measured(&self, model: &Model, comparison: &Comparison) -> Result<Measured, Refused> {
-        let (from, to) = if self.range_deg.is_empty() { RANGES[0] } else { self.range_deg[0] };
-        Ok(Measured {
-            lengths: lengths(model, self.first_radius()?, &self.lengths)?,
-            samples: comparison.samples,
-            range: (Unit::Deg.to_inner(from), Unit::Deg.to_inner(to)),
-            sigma: comparison.sigma,
-            limits: self.limits.of(model),
-            // Of given runs the comparison is one of noise.
-            instrument: Instrument::default(),
         })
     }
 
@@ -180,16 +141,10 @@ impl PlanArguments {
             true => Ok(name.trim().to_owned()),
             false => Err(Refused::UnknownRun(name.to_owned(), names.join(", "))),
         };
-        let mut without = vec![Vec::new()];
-        match self.without.is_empty() {
-            true if names.len() > 1 => without.extend(names.iter().map(|name| vec![(*name).to_owned()])),
-            true => {}
-            false => {
-                for together in &self.without {
-                    without.push(together.split(',').map(one).collect::<Result<_, _>>()?);
-                }
-            }
+        if self.without.is_empty() {
+            return Ok(Comparison::each_run(model));
         }
-        Ok(without)
+        let together = self.without.iter().map(|together| together.split(',').map(one).collect());
+        std::iter::once(Ok(Vec::new())).chain(together).collect()
     }
 }

@@ -1,18 +1,18 @@
 //! The plan for reading at a terminal.
 
-use super::found::Found;
 use crate::commands::predicted;
 use std::fmt::Write;
 use trunnion::study::WARN_CONDITION;
-use trunnion::study::plan::{Addition, Compared, Predicted};
+use trunnion::study::plan::{Addition, Compared, Overview, Predicted};
 use trunnion_codegen::identify::Extent;
 
-/// The comparison and what cannot be told apart, for reading at a terminal.
-pub fn text(found: &Found) -> String {
-    let Found { model, derivation, comparison, compared, described, tried, added, .. } = found;
+/// The comparison and what cannot be told apart, for reading at a terminal; `noise_um` is the half width of the uniform noise, `named`
+/// whether the runs to leave out were.
+pub fn text(found: &Overview, noise_um: f64, named: bool) -> String {
+    let Overview { model, derivation, comparison, compared, described, tried, added, .. } = found;
     let mut out = format!(
         "{}: {} samples a run, noise ±{} µm, {} estimate\n",
-        model.name, comparison.samples, found.noise_um, comparison.estimator
+        model.name, comparison.samples, noise_um, comparison.estimator
     );
     let _ = writeln!(
         out,
@@ -47,7 +47,7 @@ pub fn text(found: &Found) -> String {
     }
     let _ = writeln!(out, "  ! condition above {WARN_CONDITION}: hardly told apart");
     out += &recommendation(found);
-    out += &not_determined(compared.iter().filter(|l| found.named || l.without.is_empty()));
+    out += &not_determined(compared.iter().filter(|l| named || l.without.is_empty()));
     let _ = writeln!(
         out,
         "\nWhat all runs together cannot tell apart, and what each of the {tried} runs of the catalogue that fit this machine would separate"
@@ -117,7 +117,7 @@ fn not_determined<'a>(lines: impl Iterator<Item = &'a Compared>) -> String {
 }
 
 /// For each function the fewest runs that do nearly as well as all.
-fn recommendation(found: &Found) -> String {
+fn recommendation(found: &Overview) -> String {
     let mut out = String::from("\nEnough, within a tenth of what all runs give");
     out += if found.comparison.radii.len() * found.comparison.ranges_deg.len() > 1 {
         " (the first bar and range)\n"

@@ -5,47 +5,28 @@
 //! | bytes | are |
 //! |---|---|
 //! | 8 | `TRNFACTR` |
-//! | 2 | the version of this form, 1 |
+//! | 2 | the version of this form, 2 |
 //! | 32 | SHA-256 of the model's equations and lengths |
 //! | 1 | the estimator: 0 joint, 1 two-step |
 //! | 1 + n | how many runs, and which |
 //! | 3 · (1 + n) | the columns of the first step, the second's own, those it is given |
+//! | 4, each: 9 + squares, cells | how many [kept](super::kept): run, weight, and what they say of themselves |
 //! | each step: 4 + 8 n | its samples, its numbers |
 //! | 8 | the beginning of the SHA-256 of all before |
 
 use super::Factor;
+use super::kept::{read_all, write_all};
+use super::reader::{BytesError, Reader, VERSION};
 use crate::study::fit::Estimator;
 use crate::study::problem::Problem;
 use sha2::{Digest, Sha256};
-use thiserror::Error;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::limits::RUNS;
-use trunnion_solver::sized::{self, Columns, LARGEST, NotTaken, Stored};
+use trunnion_solver::sized::{self, Columns, LARGEST, Stored};
 
 const MAGIC: &[u8; 8] = b"TRNFACTR";
-const VERSION: u16 = 1;
 /// Displacements in all three directions are three runs.
 const MOST_RUNS: usize = 3 * RUNS;
-
-/// Why bytes are no factor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum BytesError {
-    /// Something else altogether.
-    #[error("these bytes are no factor\n  expected what a factor was written to")]
-    NoFactor,
-    /// Of another version of this form.
-    #[error(
-        "these bytes are a factor of version {0}\n  expected version {VERSION}: write them again with this Trunnion"
-    )]
-    Version(u16),
-    /// Cut short, longer than they say, or changed.
-    #[error("these bytes are a damaged factor\n  expected what a factor was written to, whole")]
-    Damaged,
-    /// Whole, but not of any samples.
-    #[error("these bytes are a factor that no samples come to: {0}\n  expected what a factor was written to")]
-    Impossible(NotTaken),
-}
 
 impl Factor {
     /// As bytes: the same factor gives the same.
@@ -65,6 +46,7 @@ impl Factor {
         };
         list(runs.iter().map(|run| usize::from(*run)).collect());
         [first, own, given].into_iter().for_each(|columns| list(columns.clone()));
+        write_all(&self.kept, &mut out);
         for Stored { samples, numbers } in sum.stored() {
             out.extend(samples.to_le_bytes());
             out.extend(numbers.into_iter().flat_map(f64::to_le_bytes));
@@ -79,7 +61,7 @@ impl Factor {
     /// # Errors
     /// [`BytesError`]
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BytesError> {
-        let mut head = Bytes(bytes);
+        let mut head = Reader(bytes);
         if head.take::<8>() != Ok(*MAGIC) {
             return Err(BytesError::NoFactor);
         }
@@ -91,7 +73,7 @@ impl Factor {
         if check(whole) != *own {
             return Err(BytesError::Damaged);
         }
-        let mut rest = Bytes(whole.get(10..).ok_or(BytesError::Damaged)?);
+        let mut rest = Reader(whole.get(10..).ok_or(BytesError::Damaged)?);
         let of = rest.take()?;
         let estimator = match rest.take()? {
             [0] => Estimator::Joint,
@@ -101,6 +83,7 @@ impl Factor {
         let runs: Vec<RunId> = rest.list(MOST_RUNS)?.into_iter().map(RunId::from).collect();
         let [first, own, given] = [rest.list(LARGEST)?, rest.list(LARGEST)?, rest.list(LARGEST)?];
         let columns = Columns { first, own, given };
+        let kept = read_all(&mut rest)?;
         let mut all = [columns.first.as_slice(), &columns.own].concat();
         all.sort_unstable();
         let apart = all.iter().enumerate().all(|(at, column)| at == *column);
@@ -110,41 +93,18 @@ impl Factor {
         }
         let mut sum = sized::estimator(&columns).ok_or(BytesError::Damaged)?;
         let widths: Vec<usize> = sum.stored().iter().map(|step| step.numbers.len()).collect();
-        let steps = widths.into_iter().map(|numbers| rest.step(numbers)).collect::<Result<Vec<_>, _>>()?;
-        if !rest.0.is_empty() {
+        let step = |numbers| Ok(Stored { samples: rest.count()?, numbers: rest.numbers(numbers)? });
+        let steps = widths.into_iter().map(step).collect::<Result<Vec<_>, BytesError>>()?;
+        let taken: u64 = steps.iter().map(|step| u64::from(step.samples)).sum();
+        if !rest.0.is_empty() || taken != kept.iter().map(|kept| kept.cells.samples()).sum::<u64>() {
             return Err(BytesError::Damaged);
         }
         sum.absorb(&steps).map_err(BytesError::Impossible)?;
-        Ok(Self { of, problem: Problem { estimator, runs, columns, sum } })
+        Ok(Self { of, problem: Problem { estimator, runs, columns, sum }, kept })
     }
 }
 
 fn check(bytes: &[u8]) -> [u8; 8] {
     let digest: [u8; 32] = Sha256::digest(bytes).into();
     std::array::from_fn(|at| digest[at])
-}
-
-/// What is still to be read.
-struct Bytes<'a>(&'a [u8]);
-
-impl Bytes<'_> {
-    fn take<const N: usize>(&mut self) -> Result<[u8; N], BytesError> {
-        let (taken, rest) = self.0.split_first_chunk::<N>().ok_or(BytesError::Damaged)?;
-        self.0 = rest;
-        Ok(*taken)
-    }
-
-    fn list(&mut self, most: usize) -> Result<Vec<usize>, BytesError> {
-        let [len] = self.take()?;
-        if usize::from(len) > most {
-            return Err(BytesError::Damaged);
-        }
-        (0..len).map(|_| self.take().map(|[one]| usize::from(one))).collect()
-    }
-
-    fn step(&mut self, numbers: usize) -> Result<Stored, BytesError> {
-        let samples = u32::from_le_bytes(self.take()?);
-        let numbers = (0..numbers).map(|_| self.take().map(f64::from_le_bytes)).collect::<Result<_, _>>()?;
-        Ok(Stored { samples, numbers })
-    }
 }

@@ -33,6 +33,8 @@ pub struct Misfit {
     pub mistake: Option<Mistake>,
     /// Known functions were taken as zero: they are in the residuals, and nothing else is looked for.
     pub without_table: bool,
+    /// The fit is one of a factor: mistakes are looked for in samples, which it does not have.
+    pub of_factor: bool,
 }
 
 /// Looks at the residuals of a fit; `dropped` is what linearisation usually drops of each observation's readings, `noise` the
@@ -55,7 +57,13 @@ pub fn misfit(
         return None;
     }
     let explained = || mistakes::explanation(setup, observations, fit.estimator);
-    Some(Misfit { runs, mistake: if without_table { None } else { explained() }, without_table })
+    let of_factor = fit.of_factor;
+    Some(Misfit {
+        runs,
+        mistake: if without_table || of_factor { None } else { explained() },
+        without_table,
+        of_factor,
+    })
 }
 
 /// By how much the scatter of the readings tells less than as many independent ones would: a variance's factor.

@@ -17,12 +17,13 @@ const KEPT: usize = 64;
 pub struct Look {
     /// Root mean square, mm.
     pub rms: f64,
-    /// Robust standard deviation: from the median size, mm.
-    pub deviation: f64,
+    /// Robust standard deviation: from the median size, mm; none where only sums of the residuals are known.
+    pub deviation: Option<f64>,
     /// Correlation of neighbours.
     pub correlation: f64,
-    /// How many standard deviations fewer changes of sign there are than white noise has (Wald and Wolfowitz' run test).
-    pub runs: f64,
+    /// How many standard deviations fewer changes of sign there are than white noise has (Wald and Wolfowitz' run test); none where
+    /// only sums are known.
+    pub runs: Option<f64>,
     /// Positions of those far out; of more than 64 the furthest.
     pub spikes: Vec<usize>,
     /// Residuals there are.
@@ -80,7 +81,8 @@ impl Looking {
         let is_far = |(size, at): &(u64, usize)| (f64::from_bits(*size) > far && far > 0.0).then_some(*at);
         let mut spikes: Vec<usize> = self.largest.iter().filter_map(is_far).collect();
         spikes.sort_unstable();
-        Look { rms: (self.squares / n.max(1) as f64).sqrt(), deviation, correlation, runs, spikes, samples: n }
+        let rms = (self.squares / n.max(1) as f64).sqrt();
+        Look { rms, deviation: Some(deviation), correlation, runs: Some(runs), spikes, samples: n }
     }
 }
 
@@ -92,9 +94,16 @@ impl Look {
         looking.look()
     }
 
-    /// Whether neighbours are alike, by both tests.
+    /// From the sum of their squares and that of the products of neighbours, mm²: single ones far out are not seen.
+    pub fn of_sums(samples: usize, squares: f64, neighbours: f64) -> Self {
+        let correlation = if squares > 0.0 { neighbours / squares } else { 0.0 };
+        let rms = (squares / samples.max(1) as f64).sqrt();
+        Self { rms, deviation: None, correlation, runs: None, spikes: Vec::new(), samples }
+    }
+
+    /// Whether neighbours are alike, by both tests where both are there.
     pub fn has_memory(&self) -> bool {
-        self.correlation * (self.samples as f64).sqrt() > SIGNIFICANT && self.runs > SIGNIFICANT
+        self.correlation * (self.samples as f64).sqrt() > SIGNIFICANT && self.runs.is_none_or(|runs| runs > SIGNIFICANT)
     }
 
     /// Whether they may be noise and what linearisation drops, of which `dropped` (mm) is usual.

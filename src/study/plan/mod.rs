@@ -4,11 +4,13 @@
 mod added;
 mod comparison;
 pub mod design;
+mod overview;
 pub mod positions;
 mod prediction;
 mod subset;
 
 pub use added::{Addition, additions};
 pub use comparison::{Compared, Comparison, Refusal, compare};
+pub use overview::{Overview, RADII, RANGES_DEG};
 pub use prediction::{Intended, Largest, Predicted, Prediction, predict, predict_at, uniform_std};
 pub use subset::subset;

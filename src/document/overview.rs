@@ -1,14 +1,14 @@
-//! The plan for a program.
+//! What is said of a model's runs before anything is measured, as one JSON object.
 
-use super::found::Found;
+use super::prediction::prediction;
+use crate::study::plan::{Compared, Overview};
 use serde_json::{Value, json};
-use trunnion::document;
-use trunnion::study::plan::Compared;
 use trunnion_codegen::ids::ParameterId;
 
-/// The same as one object for a program.
-pub fn json(found: &Found) -> Value {
-    let Found { model, derivation, comparison, compared, described, tried, added, .. } = found;
+/// The plans compared, the runs recommended, what is confounded and what would separate it; `noise_um` is the half width of the
+/// readings' uniform noise, µm.
+pub fn overview(found: &Overview, noise_um: f64) -> Value {
+    let Overview { model, derivation, comparison, compared, described, tried, added, .. } = found;
     let name = |j: &ParameterId| derivation.parameters[*j].name.clone();
     let groups = derivation.groups();
     let groups = groups.iter().zip(described).map(|(g, words)| {
@@ -44,7 +44,7 @@ pub fn json(found: &Found) -> Value {
     json!({
         "model": model.name,
         "samples": comparison.samples,
-        "noise_um": found.noise_um,
+        "noise_um": noise_um,
         "estimator": comparison.estimator.to_string(),
         "plans": compared.iter().map(object).collect::<Vec<_>>(),
         "recommended": recommended.collect::<Vec<_>>(),
@@ -62,8 +62,8 @@ fn object(line: &Compared) -> Value {
     });
     match &line.outcome {
         Err(why) => value["refused"] = json!(why.to_string()),
-        Ok((setup, prediction)) => {
-            let own = document::prediction(setup, prediction);
+        Ok((setup, predicted)) => {
+            let own = prediction(setup, predicted);
             value
                 .as_object_mut()
                 .into_iter()
