@@ -11,7 +11,7 @@ use trunnion_solver::lstsq::{Rejected, Step};
 use trunnion_solver::sized::{Block, Column, Estimate, ROWS};
 
 /// Where the rows of a recording go.
-pub(super) struct Into<'a> {
+pub(super) struct Target<'a> {
     /// The step that its run belongs to.
     pub step: Step,
     /// Base parameters of the problem.
@@ -26,11 +26,11 @@ pub(super) struct Into<'a> {
 pub(super) fn fill<R: Recording>(
     setup: &Setup,
     recording: &R,
-    into: Into<'_>,
+    into: Target<'_>,
     on_sample: impl FnMut(&Sample),
     mut on_rows: impl FnMut(&Rows),
 ) -> Result<(), Failure<R::Error>> {
-    let Into { step, base, columns, problem } = into;
+    let Target { step, base, columns, problem } = into;
     let places = places(setup, recording.run(), base, columns);
     let mut block = Collected::new(columns.len());
     let mut refused = false;

@@ -1,6 +1,6 @@
 //! The problem that a fit solves, as far as it is a sum over the samples.
 
-use super::fill::{Into, fill};
+use super::fill::{Target, fill};
 use super::fit::{Estimator, Failure, Fit, FitError, Variance};
 use super::observation::Sample;
 use super::recording::Recording;
@@ -55,7 +55,7 @@ impl Problem {
         }
         let step = step(setup, self.estimator, run);
         let base = base(setup, &self.runs);
-        let into = Into { step, base: &base, columns: &self.columns.of(step), problem: self.sum.as_mut() };
+        let into = Target { step, base: &base, columns: &self.columns.of(step), problem: self.sum.as_mut() };
         fill(setup, recording, into, on_sample, on_rows)
     }
 
