@@ -9,13 +9,13 @@ use super::hysteresis::Averages;
 use super::misfit::{Look, Looking};
 pub use super::observation::{Observation, Sample};
 use super::recording::Recording;
-use super::rows::{Rows, Taken, blocks, each_row};
+use super::rows::{Rows, Taken, blocks};
 use super::seen::Seen;
 use super::separation::Separation;
 use super::setup::Setup;
 use super::trace::{Trace, Tracing};
 use super::weighed_down::WeighedDown;
-use super::weights::Weights;
+use super::weights::{Dependence, Weights};
 use core::convert::Infallible;
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
@@ -228,18 +228,18 @@ impl Fit {
 
     /// How the value of a function at `x` depends on each reading.
     pub fn sensitivity(&self, setup: &Setup, observations: &[Observation], function: FunctionId, x: f64) -> Weights {
-        self.weights(setup, observations, &self.functional(setup, function, x))
+        Dependence::new(setup, observations, self).weights(&self.functional(setup, function, x))
     }
 
     /// How a base parameter depends on each reading.
     pub fn coefficient_sensitivity(&self, setup: &Setup, observations: &[Observation], base: BaseId) -> Weights {
-        self.weights(setup, observations, &self.coefficient(base))
+        Dependence::new(setup, observations, self).weights(&self.coefficient(base))
     }
 
     /// How the coefficients of a function, as it is seen, depend on each reading.
     pub fn coefficient_sensitivities(&self, setup: &Setup, observations: &[Observation], seen: &Seen) -> Vec<Weights> {
-        let weights = |combination| self.weights(setup, observations, &self.placed([(combination, 1.0)]));
-        seen.combinations().map(weights).collect()
+        let on = Dependence::new(setup, observations, self);
+        seen.combinations().map(|combination| on.weights(&self.placed([(combination, 1.0)]))).collect()
     }
 
     /// A base parameter alone, in the order of `base`.
@@ -258,22 +258,6 @@ impl Fit {
             }
         }
         placed
-    }
-
-    /// How `functional · base parameters` depends on each reading.
-    pub(super) fn weights(&self, setup: &Setup, observations: &[Observation], functional: &DVector<f64>) -> Weights {
-        let moved = self.sensitivity.each_ref().map(|by| by.tr_mul(functional));
-        let of = observations.iter().zip(&self.steps).map(|(observation, step)| {
-            let moved = &moved[usize::from(*step == Step::Second)];
-            let places = self.places(setup, observation.run);
-            let mut weights = Vec::with_capacity(observation.samples.len());
-            each_row(setup, observation, |_, row, _| {
-                let sum: f64 = row.iter().zip(&places).filter_map(|(x, at)| Some(x * moved[(*at)?])).sum();
-                weights.push(sum * observation.weight);
-            });
-            weights
-        });
-        Weights(of.collect())
     }
 
     /// By how much a reading of an observation moves the base parameters, times its weight and its row.

@@ -7,6 +7,7 @@ use super::separation::Separation;
 use super::setup::{Setup, coordinate};
 use super::told::Told;
 use super::visited::{between, sweeps, visited};
+use super::weights::Dependence;
 use core::fmt;
 use std::f64::consts::{PI, TAU};
 use trunnion_codegen::algebra::{Poly, at};
@@ -226,14 +227,14 @@ fn conditions(setup: &Setup, observations: &[Observation], function: FunctionId)
 /// cause in an estimated function.
 fn taken_as_zero(setup: &Setup, observations: &[Observation], fit: &Fit) -> Vec<Warning> {
     let known = setup.known(observations.iter().map(|o| o.run));
-    let ignored = without_table(setup, observations);
+    let (ignored, on) = (without_table(setup, observations), Dependence::new(setup, observations, fit));
     let mut costs: Vec<Vec<(String, Unit, f64)>> = vec![Vec::new(); known.len()];
     for function in setup.estimated() {
         let own = setup.quantity(function).deviation();
         let Some(range) = visited(setup, function, sweeps(observations)) else { continue };
         for (cost, (&k, (_, factors))) in costs.iter_mut().zip(known.iter().zip(&ignored)) {
             let one = setup.quantity(k).deviation().to_inner(1.0);
-            let of = |x| any_shape(&fit.sensitivity(setup, observations, function, x), factors);
+            let of = |x| any_shape(&on.weights(&fit.functional(setup, function, x)), factors);
             let largest = between(range, 36).map(of);
             cost.push((setup.function_name(function), own, own.from_inner(largest.fold(0.0, f64::max) * one)));
         }

@@ -30,6 +30,7 @@ use super::limits::ErrorLimits;
 use super::misfit::alike;
 use super::seen::Seen;
 use super::setup::Setup;
+use super::weights::Dependence;
 use assumed::{Assumptions, zeros};
 use confounding::{Limited, Sum};
 use effects::{Instrumental, Tables, instrumental, tables};
@@ -47,8 +48,8 @@ use trunnion_solver::lstsq::Step;
 /// What an estimate's uncertainty is made of; each result's budget follows from it.
 pub struct Sources<'a> {
     setup: &'a Setup,
-    observations: &'a [Observation],
     fit: &'a Fit,
+    dependence: Dependence<'a>,
     limited: Limited<'a>,
     instrument: Instrumental,
     tables: Tables,
@@ -105,7 +106,7 @@ impl<'a> Sources<'a> {
     /// were taken as zero.
     pub fn new(
         setup: &'a Setup,
-        observations: &'a [Observation],
+        observations: &[Observation],
         fit: &'a Fit,
         limits: ErrorLimits,
         instrument: &Instrument,
@@ -113,8 +114,8 @@ impl<'a> Sources<'a> {
     ) -> Self {
         Self {
             setup,
-            observations,
             fit,
+            dependence: Dependence::new(setup, observations, fit),
             limited: Limited::new(setup, observations, limits),
             instrument: instrumental(setup, observations, fit, instrument),
             tables: tables(setup, observations, fit),
@@ -213,7 +214,7 @@ impl<'a> Sources<'a> {
         if ignored.is_empty() {
             return Vec::new();
         }
-        let weights = self.fit.weights(self.setup, self.observations, functional);
+        let weights = self.dependence.weights(functional);
         ignored.iter().map(|(error, factors)| (*error, any_shape(&weights, factors))).collect()
     }
 }
