@@ -4,6 +4,7 @@ use super::fit::{Fit, Observation, Sample};
 use super::rows::each_row;
 use super::setup::Setup;
 use nalgebra::DMatrix;
+use trunnion_codegen::graph::LANES;
 
 /// A sample whose reading is disturbed.
 #[derive(Clone, Copy, Debug)]
@@ -29,17 +30,27 @@ impl Fit {
         if count == 0 {
             return responses;
         }
-        let mut by = vec![0.0; count];
+        // A product of matrices for many samples at once: column by column what is disturbed, and where it goes.
+        let (mut rows, mut by) = (DMatrix::zeros(self.base.len(), LANES), DMatrix::zeros(count, LANES));
         for (at, observation) in observations.iter().enumerate() {
             let places = self.places(setup, observation.run);
             let mut sum = DMatrix::zeros(self.base.len(), count);
+            let mut samples = 0;
+            rows.fill(0.0);
             each_row(setup, observation, |sample, row, factors| {
-                by.fill(0.0);
-                of(Disturbed { observation: at, sample, factors }, &mut by);
+                let lane = samples % LANES;
+                by.column_mut(lane).fill(0.0);
+                of(Disturbed { observation: at, sample, factors }, by.column_mut(lane).as_mut_slice());
                 for (x, place) in row.iter().zip(&places).filter_map(|(x, place)| Some((x, (*place)?))) {
-                    sum.row_mut(place).iter_mut().zip(&by).for_each(|(s, d)| *s += x * d * observation.weight);
+                    rows[(place, lane)] = *x;
+                }
+                samples += 1;
+                if samples % LANES == 0 {
+                    sum.gemm(observation.weight, &rows, &by.transpose(), 1.0);
                 }
             });
+            let rest = samples % LANES;
+            sum.gemm(observation.weight, &rows.columns(0, rest), &by.columns(0, rest).transpose(), 1.0);
             responses += self.sensitivity_of(at) * sum;
         }
         responses

@@ -7,7 +7,9 @@
 //! certain, so this is the least that a set can reach. Directions of which all runs together say nothing are split off first.
 
 use super::choices::Choices;
+use crate::study::observation::Observation;
 use crate::study::plan::{subset, uniform_std};
+use crate::study::rows::each_row;
 use crate::study::slow::{SLOW, slow};
 use crate::study::visited::{between, visited};
 use crate::study::{ErrorLimits, Instrument, Setup, SetupError};
@@ -16,7 +18,6 @@ use std::collections::BTreeMap;
 use trunnion_codegen::algebra::{Poly, at};
 use trunnion_codegen::identify::{Origin, name};
 use trunnion_codegen::ids::{FunctionId, RunId, TermId};
-use trunnion_codegen::kinematics::directions;
 use trunnion_codegen::model::Coefficient;
 use typed_index_collections::TiVec;
 
@@ -245,21 +246,20 @@ impl Single {
         let regressors = &setup.derivation.runs[self.run].regressors;
         let width = regressors.len() + parameters.instrument.len();
         let mut own = DMatrix::zeros(width, width);
-        let mut row = setup.row(self.run);
         let (mut values, mut shape) = (DVector::zeros(width), [0.0; SLOW]);
         let (bar, instrument) = (setup.bar(self.run), &measured.instrument);
-        for (&sweep, direction) in self.sweeps.iter().zip(directions(&self.sweeps)) {
-            slow(sweep, &mut shape);
+        each_row(setup, &Observation::zero(setup, self.run, &self.sweeps), |sample, row, _| {
+            slow(sample.sweep, &mut shape);
             // One standard deviation of each error of the instrument.
             let instrumental = parameters.instrument.keys().map(|of| match of {
                 Instrumental::Slow(k) => shape[*k] * instrument.constant,
                 Instrumental::Bar => bar.map_or(0.0, |_| instrument.bar_length),
                 Instrumental::Temperature => bar.unwrap_or(0.0) * instrument.expansion * instrument.temperature,
             });
-            let all = row.at(sweep, direction).0.iter().copied().chain(instrumental);
+            let all = row.iter().copied().chain(instrumental);
             values.iter_mut().zip(all).for_each(|(value, own)| *value = own);
             own.ger(measured.sigma.powi(-2), &values, &values, 1.0);
-        }
+        });
         let definitions = setup.definitions();
         let mut across = DMatrix::zeros(width, parameters.len());
         for (at, column) in parameters.instrument.values().enumerate() {
