@@ -43,8 +43,8 @@ pub struct NewArguments {
     /// project.
     #[arg(long, value_name = "FILE", group = "stops")]
     at: Option<PathBuf>,
-    /// Half of the diameters of the sphere and of the touch probe's ball together, mm: how far their centres are apart at a touch; 15
-    /// without it.
+    /// Half of the diameters of the sphere and of the touch probe's ball together, mm: how far their centres are apart at a touch; without it
+    /// that of the project, or 15.
     #[arg(long, value_name = "MM", value_parser = length)]
     touch_mm: Option<f64>,
     /// The folder; without it that of the project, whose plan and programs are written anew.
@@ -64,10 +64,11 @@ impl NewArguments {
         let setup = self.model.setup(&source, |model| self.ranges.apply(model))?;
         let measurements = setup.measurements();
         let stops = self.stops(&source, &setup, &measurements)?;
-        let probed = stops.is_some();
-        if let Some(touch) = self.touch_mm.filter(|_| !probed) {
+        if let Some(touch) = self.touch_mm.filter(|_| stops.is_none()) {
             return Err(Refused::Option("touch-mm", touch.to_string(), NOTHING_TOUCHED));
         }
+        let stated = self.touch_mm.or_else(|| source.project.as_ref()?.touch_mm);
+        let touch_mm = stops.as_ref().map(|_| stated.unwrap_or(TOUCH_MM));
         let stopped = |at: usize| stops.as_ref()?.get(at).filter(|_| measurements[at].is_displacement()).cloned();
         let path = |(at, measurement): (usize, &Measurement)| {
             let run = measurement.first()?;
@@ -91,7 +92,7 @@ impl NewArguments {
         let model = file.map_or_else(|| name.clone(), |file| file.to_string_lossy().into_owned());
         let named = source.readings();
         let (setup, model, prediction, paths) = (&setup, &model, &prediction, &paths);
-        let planned = Planned { setup, model, prediction, paths, samples, probed, named: &named };
+        let planned = Planned { setup, model, prediction, paths, samples, touch_mm, named: &named };
         if source.project.is_none() {
             files.add(PROJECT, project::project(&planned));
             // A model file comes along.
@@ -102,13 +103,12 @@ impl NewArguments {
         files.add("measuring-plan.md", project::plan(&planned));
         for (measurement, path) in paths {
             let (name, title) = (&measurement.name, &setup.model.title);
-            let probing = probed && measurement.is_displacement();
             let text = |control: Control| {
-                if !probing {
+                let Some(radius) = touch_mm.filter(|_| measurement.is_displacement()) else {
                     return Program { name, title, path, rate: self.rate }.text(control);
-                }
+                };
                 let sweep = setup.model.alphabet.sweep_name(setup.model.runs[measurement.first()?].sweep);
-                Probing { name, title, path, sweep, radius: self.touch_mm.unwrap_or(TOUCH_MM) }.text(control)
+                Probing { name, title, path, sweep, radius }.text(control)
             };
             for control in Control::ALL {
                 match text(control) {

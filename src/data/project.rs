@@ -18,6 +18,9 @@ use trunnion_codegen::model::Model;
 /// Its name in a folder.
 pub const PROJECT: &str = "trunnion.toml";
 
+/// No length is larger, mm.
+const MOST_MM: f64 = 1e5;
+
 /// What a project file says of files, and how they are fitted. Paths are resolved.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Project {
@@ -35,6 +38,8 @@ pub struct Project {
     pub columns: Columns,
     /// Where the runs are probed.
     pub positions: Option<Positions>,
+    /// How far the centres of the sphere and of the probe's ball are apart at a touch, mm.
+    pub touch_mm: Option<f64>,
     /// The runs that were made, by their names.
     pub runs: Vec<ProjectRun>,
 }
@@ -86,6 +91,14 @@ pub enum ProjectError {
         /// The weight.
         weight: f64,
     },
+    /// A distance that no ball and sphere are at when they touch.
+    #[error("line {line}: touch_mm = {mm:?} is out of range\n  expected a length above 0 and up to 100000, mm")]
+    Touch {
+        /// Counted from 1.
+        line: usize,
+        /// The distance.
+        mm: f64,
+    },
     /// A run of no files.
     #[error("line {line}: no file\n  expected files = [\"run.csv\"], or no [run.…] where the run was not made")]
     NoFile {
@@ -107,7 +120,10 @@ impl ProjectError {
     /// Where, counted from 1.
     pub fn line(&self) -> usize {
         match self {
-            Self::Format { line, .. } | Self::Weight { line, .. } | Self::NoFile { line } => *line,
+            Self::Format { line, .. }
+            | Self::Weight { line, .. }
+            | Self::Touch { line, .. }
+            | Self::NoFile { line } => *line,
         }
     }
 }
@@ -123,6 +139,8 @@ struct File {
     #[serde(default)]
     columns: Columns,
     positions_deg: Option<Stated>,
+    #[serde(default)]
+    probe: Probe,
     #[serde(default)]
     run: BTreeMap<String, Run>,
     // Read with the model.
@@ -144,6 +162,12 @@ struct Fit {
     estimator: Option<Estimator>,
     robust: Option<Robust>,
     table: Option<PathBuf>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Probe {
+    touch_mm: Option<Spanned<f64>>,
 }
 
 #[derive(Deserialize)]
@@ -191,7 +215,13 @@ impl Project {
             let files = run.files.into_inner().into_iter().map(|file| folder.join(file)).collect();
             Ok(ProjectRun { name, files, weight: weight.transpose()? })
         };
+        let touch = |given: Spanned<f64>| {
+            let (at, mm) = (given.span().start, given.into_inner());
+            // NaN is within nothing.
+            if mm > 0.0 && mm <= MOST_MM { Ok(mm) } else { Err(ProjectError::Touch { line: line(at), mm }) }
+        };
         Ok(Self {
+            touch_mm: file.probe.touch_mm.map(touch).transpose()?,
             model: file.model,
             machine: file.machine,
             estimator: file.fit.estimator,

@@ -25,8 +25,8 @@ pub struct Planned<'a> {
     pub paths: &'a [(Measurement, Path)],
     /// Readings of each that the prediction is for, where these are as many of each.
     pub samples: Option<usize>,
-    /// Whether a touch probe finds a sphere at each position.
-    pub probed: bool,
+    /// How far the centres of a sphere and of a touch probe's ball are apart at a touch, mm, where one finds the other at each position.
+    pub touch_mm: Option<f64>,
     /// The files of readings that a project names already, by the measurement.
     pub named: &'a [(String, Vec<String>)],
 }
@@ -45,7 +45,7 @@ impl Planned<'_> {
     }
 
     fn is_probed(&self, measurement: &Measurement) -> bool {
-        self.probed && measurement.is_displacement()
+        self.touch_mm.is_some() && measurement.is_displacement()
     }
 }
 

@@ -46,7 +46,7 @@ pub fn plan(planned: &Planned) -> String {
     }
     out += "\n## Afterwards\n\nPut the readings into the files named above, beside `trunnion.toml`, and enter there what is known \
             of machine and\ninstrument. Then, in this folder:\n\n    trunnion fit\n\n";
-    if planned.probed {
+    if planned.touch_mm.is_some() {
         out += PROBED;
     }
     if planned.paths.iter().any(|(measurement, _)| !planned.is_probed(measurement)) {

@@ -39,6 +39,12 @@ pub fn project(planned: &Planned) -> String {
         out += &positions_text(comment, &measurements, &sweeps);
         out.push('\n');
     }
+    if let Some(mm) = planned.touch_mm {
+        let _ = writeln!(
+            out,
+            "# Half of the diameters of the sphere and of the probe's ball together.\n[probe]\ntouch_mm = {mm}\n"
+        );
+    }
     for (measurement, _) in planned.paths {
         let files: Vec<String> = planned.readings(measurement).iter().map(|file| string(file)).collect();
         let files = files.join(", ");

@@ -71,7 +71,7 @@ fn proposed_positions_are_probed_and_fitted() {
 fn a_project_keeps_its_positions() {
     let directory = tempfile::tempdir().unwrap();
     let at = directory.path();
-    succeeds(at, &["new", "ac-trunnion-probe", "--positions", "7", "--out", "p"]);
+    succeeds(at, &["new", "ac-trunnion-probe", "--positions", "7", "--touch-mm", "11.5", "--out", "p"]);
     let folder = at.join("p");
     let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
     let (project, program) = (read("trunnion.toml"), read("a.linuxcnc.ngc"));
@@ -115,6 +115,13 @@ fn a_project_keeps_its_positions() {
         let place =
             if wrong.starts_with('b') { "trunnion.toml: ".to_owned() } else { format!("trunnion.toml: line {line}: ") };
         assert!(message.contains(&place) && message.contains(told), "{wrong}: {message}");
+    }
+    let touch = "touch_mm = 11.5\n";
+    for wrong in ["0", "-1", "nan", "2e5", "\"1\""] {
+        fs::write(folder.join("trunnion.toml"), project.replace(touch, &format!("touch_mm = {wrong}\n"))).unwrap();
+        let line = 1 + project.split_once(touch).unwrap().0.matches('\n').count();
+        let message = refused(at, &["new", "p", "--force"]);
+        assert!(message.contains(&format!("trunnion.toml: line {line}: ")), "{wrong}: {message}");
     }
 }
 
