@@ -196,3 +196,20 @@ fn readings_that_the_rows_explain_leave_nothing() {
     }
     assert!(solved.residual_std < 1e-14, "{}", solved.residual_std);
 }
+
+#[test]
+fn columns_that_the_factor_does_not_have_are_none() {
+    let rows = rows(1_000, 5);
+    let (mut five, mut seven) = (Blocked::<f64, P>::new(), Blocked::<f64, P>::new());
+    for chunk in rows.chunks(ROWS) {
+        let (mut columns, mut y) = ([[7.0; ROWS]; P + 2], [7.0; ROWS]);
+        for (i, (row, value)) in chunk.iter().enumerate() {
+            columns.iter_mut().zip(row).for_each(|(column, &x)| column[i] = x);
+            y[i] = *value;
+        }
+        let mut work = [[0.0; ROWS]; P + 3];
+        seven.push_with(Portable, &mut columns, &mut y, chunk.len(), 1.0, &mut work).unwrap();
+        push(&mut five, chunk, 1.0).unwrap();
+    }
+    assert_eq!(five.factor(), seven.factor());
+}

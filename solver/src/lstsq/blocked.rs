@@ -13,8 +13,8 @@ const GROUP: u32 = 256;
 /// the triangle's row and all the block's): some ten times fewer operations wait for one another than with a rotation for each
 /// row. With room to work in, blocks of rows that are like earlier ones go in by their products in the triangle's units, which is
 /// as accurate and almost twice as fast again. It pays to let each block be rows from all over the recording: of `m` blocks, the
-/// one at `b` every `m`-th row from `b` on. Triangles are [merged](Factor::merge) into the factor, which is that of all rows pushed one by one, up to
-/// rounding.
+/// one at `b` every `m`-th row from `b` on. Triangles are [merged](Factor::merge) into the factor, which is that of all rows pushed
+/// one by one, up to rounding.
 #[derive(Clone, Debug)]
 pub struct Blocked<T, const P: usize> {
     factor: Factor<T, P>,
@@ -130,13 +130,13 @@ impl<T: Real, const P: usize> Blocked<T, P> {
         (self.rows, self.changes, self.again) = (0, 0, 0);
     }
 
-    /// Adds the rows that are ahead to the triangle.
+    /// Adds the rows that are ahead to the triangle, which may then be changed.
     fn catch_up(&mut self) {
-        if !self.ahead.is_empty() {
+        if self.ahead.has_rows() {
             self.upper = self.ahead.added(&self.upper);
-            self.ahead = Preconditioned::new();
             self.changes += 1;
         }
+        self.ahead = Preconditioned::new();
     }
 }
 
