@@ -15,7 +15,6 @@ use super::separation::Separation;
 use super::setup::Setup;
 use super::trace::{Trace, Tracing};
 use super::weighed_down::WeighedDown;
-use super::weights::{Dependence, Weights};
 use core::convert::Infallible;
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
@@ -226,29 +225,16 @@ impl Fit {
         (g.dot(&self.values), (&self.covariance * &g).dot(&g).max(0.0).sqrt())
     }
 
-    /// How the value of a function at `x` depends on each reading.
-    pub fn sensitivity(&self, setup: &Setup, observations: &[Observation], function: FunctionId, x: f64) -> Weights {
-        Dependence::new(setup, observations, self).weights(&self.functional(setup, function, x))
-    }
-
-    /// How a base parameter depends on each reading.
-    pub fn coefficient_sensitivity(&self, setup: &Setup, observations: &[Observation], base: BaseId) -> Weights {
-        Dependence::new(setup, observations, self).weights(&self.coefficient(base))
-    }
-
-    /// How the coefficients of a function, as it is seen, depend on each reading.
-    pub fn coefficient_sensitivities(&self, setup: &Setup, observations: &[Observation], seen: &Seen) -> Vec<Weights> {
-        let on = Dependence::new(setup, observations, self);
-        seen.combinations().map(|combination| on.weights(&self.placed([(combination, 1.0)]))).collect()
-    }
-
     /// A base parameter alone, in the order of `base`.
     pub(super) fn coefficient(&self, base: BaseId) -> DVector<f64> {
         self.placed([([(base, 1.0)].as_slice(), 1.0)])
     }
 
     /// Combinations of base parameters, each times a factor, in the order of `base`.
-    fn placed<'a>(&self, combinations: impl IntoIterator<Item = (&'a [(BaseId, f64)], f64)>) -> DVector<f64> {
+    pub(super) fn placed<'a>(
+        &self,
+        combinations: impl IntoIterator<Item = (&'a [(BaseId, f64)], f64)>,
+    ) -> DVector<f64> {
         let mut placed = DVector::zeros(self.base.len());
         for (combination, factor) in combinations {
             for (b, f) in combination {

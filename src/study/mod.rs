@@ -8,6 +8,7 @@ mod by_direction;
 mod coordinates;
 mod covered;
 mod curve;
+mod dependence;
 mod draw;
 mod ends;
 mod estimate;

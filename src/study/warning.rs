@@ -1,13 +1,13 @@
 //! What to be wary of in a fit.
 
 use super::budget::{any_shape, without_table};
+use super::dependence::Dependence;
 use super::fit::{Fit, Observation};
 use super::misfit::{Misfit, Odd, misfit};
 use super::separation::Separation;
 use super::setup::{Setup, coordinate};
 use super::told::Told;
 use super::visited::{between, sweeps, visited};
-use super::weights::Dependence;
 use core::fmt;
 use std::f64::consts::{PI, TAU};
 use trunnion_codegen::algebra::{Poly, at};

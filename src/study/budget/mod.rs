@@ -25,12 +25,12 @@ pub(super) use parts::any_shape;
 pub use source::{Line, Source};
 pub use term::Term;
 
+use super::dependence::Dependence;
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
 use super::misfit::alike;
 use super::seen::Seen;
 use super::setup::Setup;
-use super::weights::Dependence;
 use assumed::{Assumptions, zeros};
 use confounding::{Limited, Sum};
 use effects::{Instrumental, Tables, instrumental, tables};
