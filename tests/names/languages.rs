@@ -177,8 +177,12 @@ fn rust() {
     for machine in &machines {
         let source = rust::model_source(&machine.model, &machine.derivation, &rust::Support::of_solver()).unwrap();
         let module = &machine.model.name;
-        let names = after(&source, "\npub fn ", '<').iter().map(|name| name.to_string()).collect::<Vec<_>>();
-        for (name, function, inputs) in calls(machine, names.iter().map(String::as_str).collect()) {
+        // Of one value; those of a block are over another kind of number.
+        let of_one =
+            |item: &&str| item.split_once('<').is_some_and(|(_, rest)| rest.trim_start().starts_with("T: Number"));
+        let items = source.split("\npub fn ").skip(1).filter(of_one);
+        for (name, function, inputs) in calls(machine, items.filter_map(|item| Some(item.split_once('<')?.0)).collect())
+        {
             let results = if function.sizes[1] > 0 { "[&o.0[..], &o.1].concat()" } else { "o.to_vec()" };
             writeln!(main, "    let o = {module}::{name}::<f64>({});\n    show({results});", numbers(inputs)).unwrap();
         }
