@@ -11,7 +11,8 @@ use crate::emit::names::{Names, Scope};
 /// `pub fn rows_of_along_x<T: Real>(r: T, c: &Column<T>, columns: &mut [Column<T>; 8])`
 pub(super) fn rows(printed: &Printed, row: &Row) -> TokenStream {
     let (module, real) = (&printed.support.module, &printed.support.real);
-    let names = Names::new(&row.function, "rows", &Scope::new(LOCAL, &["columns"]));
+    let taken = ["columns".to_owned(), row.name.to_string()];
+    let names = Names::new(&row.function, &row.block.to_string(), &Scope::new(LOCAL, &taken));
     let inputs: Vec<Ident> = names.inputs.iter().map(|name| ident(name)).collect();
     let (lengths, places) = inputs.split_at(printed.lengths.len().min(inputs.len()));
     let run = &printed.derivation.runs[row.run];
