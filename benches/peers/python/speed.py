@@ -48,7 +48,7 @@ print("largest difference from numpy.linalg.lstsq, in standard deviations:", np.
 
 print("\n| call | least, ms | median, ms | ns |\n|---|---:|---:|---|")
 timed("`Setup.fit`, arrays", lambda: setup.fit(runs), 40, "sample", 2 * SAMPLES)
-timed("`Factor` and `solve`: without residuals", lambda: trunnion.Factor(setup, runs).solve(setup), 40, "sample", 2 * SAMPLES)
+timed("`Factor` and `solve`: without a second look", lambda: trunnion.Factor(setup, runs).solve(setup), 40, "sample", 2 * SAMPLES)
 timed("`numpy.linalg.lstsq`, matrices ready-made", lambda: np.linalg.lstsq(scaled, readings), 20, "sample", 2 * SAMPLES)
 timed("`Setup.rows`, both runs, and lstsq", lambda: np.linalg.lstsq(matrices()[0], readings), 10, "sample", 2 * SAMPLES)
 
