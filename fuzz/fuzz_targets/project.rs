@@ -1,13 +1,13 @@
 //! Project files: what they say of files, and what they state over their model; mutations know the words of descriptions.
 #![no_main]
 
-use libfuzzer_sys::{Corpus, fuzz_mutator, fuzz_target, fuzzer_mutate};
+use libfuzzer_sys::{Corpus, fuzz_mutator, fuzz_target};
 use std::path::Path;
 use trunnion::data::Project;
 use trunnion::study::Setup;
 use trunnion_codegen::catalogue;
 use trunnion_codegen::problems::{Colour, Described, Named};
-use trunnion_fuzz::{finite, repeated, tokens::mutated};
+use trunnion_fuzz::{finite, repeated, tokens::mutate};
 
 /// Small, with a known function, an axis with a range and assumptions to be put over its own.
 const MODEL: &str = "tilting-table-a";
@@ -38,14 +38,4 @@ fuzz_target!(|text: &str| -> Corpus {
     Corpus::Keep
 });
 
-fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
-    let words = seed % 8 != 0;
-    let text = str::from_utf8(&data[..size]).ok().filter(|_| words).map(|text| mutated(text, seed));
-    match text.filter(|text| text.len() <= max_size) {
-        Some(text) => {
-            data[..text.len()].copy_from_slice(text.as_bytes());
-            text.len()
-        }
-        None => fuzzer_mutate(data, size, max_size),
-    }
-});
+fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| { mutate(data, size, max_size, seed) });

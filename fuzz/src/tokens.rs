@@ -1,5 +1,6 @@
 //! Mutations of a model file that know its words: most still read, many still derive.
 
+use libfuzzer_sys::fuzzer_mutate;
 use trunnion_codegen::catalogue::MODELS;
 
 /// Choices out of a seed (SplitMix64).
@@ -55,8 +56,21 @@ fn tokens(text: &str) -> Vec<&str> {
     tokens
 }
 
+/// What a fuzz target's mutator does: mostly one change of words, else of bytes, and so where there is no room for it.
+pub fn mutate(data: &mut [u8], size: usize, max_size: usize, seed: u32) -> usize {
+    let words = seed % 8 != 0;
+    let text = str::from_utf8(&data[..size]).ok().filter(|_| words).map(|text| mutated(text, seed));
+    match text.filter(|text| text.len() <= max_size) {
+        Some(text) => {
+            data[..text.len()].copy_from_slice(text.as_bytes());
+            text.len()
+        }
+        None => fuzzer_mutate(data, size, max_size),
+    }
+}
+
 /// The text with one change: a token or a line for another of itself or of the catalogue, or an expression grown.
-pub fn mutated(text: &str, seed: u32) -> String {
+fn mutated(text: &str, seed: u32) -> String {
     let mut choice = Choice(u64::from(seed));
     let donor = match choice.below(2) {
         0 => text,

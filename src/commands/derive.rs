@@ -1,7 +1,7 @@
 //! `trunnion derive`: equations, base parameters and source code of a model.
 
 use super::Refused;
-use super::model::{setup, source};
+use super::model::{described, setup, source};
 use super::output::print;
 use super::predicted::{Measuring, prediction};
 use clap::{ArgGroup, Args, ValueEnum};
@@ -59,7 +59,7 @@ impl DeriveArguments {
             let told = "of no use here\n  expected it with --emit text, or not at all";
             return Err(Refused::Option("radius", radius.to_string(), told));
         }
-        let description = source(self.model.as_deref())?.model()?;
+        let description = described(&source(self.model.as_deref())?)?;
         let derivation = derivation(&description).map_err(SetupError::Description)?;
         let predicted = match (self.radius, self.emit) {
             (Some(mm), Emit::Text) => {

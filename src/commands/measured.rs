@@ -1,6 +1,6 @@
 //! What is measured and how it is fitted, for every command that fits: files and options, or the project's.
 
-use super::model::{ModelArguments, Source};
+use super::model::{ModelArguments, texts};
 use super::output::say;
 use super::pair::pair;
 use super::reported::read;
@@ -9,7 +9,9 @@ use super::{Refused, seen};
 use clap::{Args, ValueEnum};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use trunnion::data::{self, Columns, FileError, MachineAtHand, ObservationsError, Project, Recorded, RunFiles, Stamp};
+use trunnion::data::{
+    self, Columns, FileError, MachineAtHand, ObservationsError, Project, Recorded, RunFiles, Source, Stamp,
+};
 use trunnion::study::plan::subset;
 use trunnion::study::{
     Estimator, Failed, Fit, How, Instrument, Observation, Recording, Report, Setup, SetupError, Sources, fit_recorded,
@@ -226,7 +228,7 @@ impl Measured<'_> {
         // No run may see a known function.
         let known = |file| recorded.iter().find_map(Recorded::table).cloned().or_else(|| Stamp::of_file(file));
         let table = self.table.as_deref().map(|file| read("known functions", &named(file), known(file)));
-        self.source.read().into_iter().chain(runs.into_iter().map(run)).chain(table).collect()
+        texts(&self.source).into_iter().chain(runs.into_iter().map(run)).chain(table).collect()
     }
 }
 

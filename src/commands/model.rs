@@ -7,84 +7,41 @@ use super::reported::read;
 use clap::Args;
 use serde_json::Value;
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
-use trunnion::data::{self, PROJECT, Positions, Project, Radius, Stamp};
+use std::path::Path;
+use trunnion::data::{PROJECT, Radius, Source, Stamp};
 use trunnion::study::{Setup, bars};
 use trunnion_codegen::catalogue;
 use trunnion_codegen::model::Model;
-use trunnion_codegen::problems::{Colour, Described, Named};
+use trunnion_codegen::problems::{Colour, Named};
 
-/// A description's texts, and the project that names it.
-pub struct Source {
-    /// The texts.
-    pub described: Described,
-    /// The project, if it is one's.
-    pub project: Option<Project>,
+/// What is said of a source's texts as files that were read.
+pub fn texts(source: &Source) -> Vec<Value> {
+    let Named { name, text } = &source.described.model;
+    let model = match catalogue::source(name) {
+        Some(_) => read("model, built in", name, Stamp::of(text.as_bytes()).ok()),
+        None => read("model", name, Stamp::of_file(Path::new(name))),
+    };
+    let project = source.described.stated.as_ref();
+    let project = project.map(|own| read("project", &own.name, Stamp::of_file(Path::new(&own.name))));
+    [model].into_iter().chain(project).collect()
 }
 
-impl From<data::Source> for Source {
-    fn from(data::Source { described, project }: data::Source) -> Self {
-        Self { described, project }
-    }
-}
-
-impl Source {
-    /// The files that are read.
-    pub fn inputs(&self) -> Vec<PathBuf> {
-        let named = [Some(&self.described.model), self.described.stated.as_ref()];
-        named.into_iter().flatten().map(|text| PathBuf::from(&text.name)).collect()
-    }
-
-    /// The project's folder, if it is one's.
-    pub fn folder(&self) -> Option<PathBuf> {
-        let folder = Path::new(&self.described.stated.as_ref()?.name).parent()?;
-        Some(if folder == Path::new("") { PathBuf::from(".") } else { folder.to_owned() })
-    }
-
-    /// Where its runs are probed, and the file that says so.
-    pub fn positions(&self) -> Option<(PathBuf, &Positions)> {
-        let file = PathBuf::from(&self.described.stated.as_ref()?.name);
-        Some((file, self.project.as_ref()?.positions.as_ref()?))
-    }
-
-    /// The files of readings that it names, as it names them, by the run.
-    pub fn readings(&self) -> Vec<(String, Vec<String>)> {
-        let folder = self.folder().unwrap_or_default();
-        let named = |file: &PathBuf| file.strip_prefix(&folder).unwrap_or(file).display().to_string();
-        let runs = self.project.iter().flat_map(|project| &project.runs);
-        runs.map(|run| (run.name.clone(), run.files.iter().map(named).collect())).collect()
-    }
-
-    /// What is said of them as files that were read.
-    pub fn read(&self) -> Vec<Value> {
-        let Named { name, text } = &self.described.model;
-        let model = match catalogue::source(name) {
-            Some(_) => read("model, built in", name, Stamp::of(text.as_bytes()).ok()),
-            None => read("model", name, Stamp::of_file(Path::new(name))),
-        };
-        let project = self.described.stated.as_ref();
-        let project = project.map(|own| read("project", &own.name, Stamp::of_file(Path::new(&own.name))));
-        [model].into_iter().chain(project).collect()
-    }
-
-    /// The model.
-    pub fn model(&self) -> Result<Model, Refused> {
-        let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-        let colour = if std::io::stderr().is_terminal() && !plain { Colour::On } else { Colour::Off };
-        let derived = self.described.derive();
-        Ok(derived.map_err(|problems| Refused::Model(self.described.render(&problems, colour)))?.0)
-    }
+/// The model of a source.
+pub fn described(source: &Source) -> Result<Model, Refused> {
+    let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    let colour = if std::io::stderr().is_terminal() && !plain { Colour::On } else { Colour::Off };
+    let derived = source.described.derive();
+    Ok(derived.map_err(|problems| Refused::Model(source.described.render(&problems, colour)))?.0)
 }
 
 /// A model by its catalogue name or from a file, a project by its file or folder; the project of this folder without a name.
 pub fn source(name: Option<&str>) -> Result<Source, Refused> {
     let here = Path::new(PROJECT);
     Ok(match name {
-        Some(name) => data::Source::named(name)?,
-        None if here.exists() => data::Source::of_project(here)?,
+        Some(name) => Source::named(name)?,
+        None if here.exists() => Source::of_project(here)?,
         None => return Err(Refused::NoModel),
-    }
-    .into())
+    })
 }
 
 /// A model and the lengths of its set-up.
@@ -113,7 +70,7 @@ impl ModelArguments {
         change: impl FnOnce(&mut Model) -> Result<(), Refused>,
     ) -> Result<Setup, Refused> {
         let radius = self.radius.map(Radius::new).transpose()?;
-        let mut model = source.model()?;
+        let mut model = described(source)?;
         change(&mut model)?;
         setup(model, radius, &self.lengths)
     }

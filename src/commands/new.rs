@@ -1,13 +1,13 @@
 //! `trunnion new`: a folder to measure with; or what of it follows from its project file.
 
 use super::Refused;
-use super::model::{ModelArguments, Source};
+use super::model::ModelArguments;
 use super::number::{self, length};
 use super::output::say;
 use super::stated::RangeArguments;
 use clap::Args;
 use std::path::{Path as FilePath, PathBuf};
-use trunnion::data::{Files, Guard, PROJECT, Positions, read_text};
+use trunnion::data::{Files, Guard, PROJECT, Positions, Source, read_text};
 use trunnion::program::{Control, Probing, Program};
 use trunnion::project::{self, Planned};
 use trunnion::study::plan::positions::{PositionsError, unread};

@@ -1,11 +1,12 @@
 //! What is simulated, as `simulate` and `monte-carlo` take it.
 
 use super::Refused;
-use super::model::{ModelArguments, Source};
+use super::model::ModelArguments;
 use super::number;
 use super::predicted;
 use super::stated::{LimitArguments, RangeArguments};
 use clap::Args;
+use trunnion::data::Source;
 use trunnion::data::limits::{SAMPLES, SIMULATED};
 use trunnion::study::{Setup, Simulation};
 

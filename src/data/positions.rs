@@ -150,7 +150,7 @@ impl Positions {
 }
 
 /// The line of each place in a text, counted from 1.
-fn lines(text: &str) -> impl Fn(usize) -> usize {
+pub(super) fn lines(text: &str) -> impl Fn(usize) -> usize {
     let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
     move |at| 1 + ends.partition_point(|end| *end < at)
 }

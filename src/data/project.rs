@@ -5,7 +5,7 @@
 
 use super::called::Columns;
 use super::made::is_of;
-use super::positions::{Positions, Stated};
+use super::positions::{Positions, Stated, lines};
 use crate::study::{Estimator, MOST_WEIGHT};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -198,7 +198,7 @@ impl Project {
     /// # Errors
     /// [`ProjectError`]
     pub fn read(text: &str, folder: &Path) -> Result<Self, ProjectError> {
-        let line = |at: usize| 1 + text.get(..at).unwrap_or(text).matches('\n').count();
+        let line = lines(text);
         let file: File = toml::from_str(text).map_err(|e| {
             let line = line(e.span().map_or(0, |span| span.start));
             ProjectError::Format { line, message: e.message().lines().collect::<Vec<_>>().join(", ") }

@@ -1,5 +1,6 @@
 //! What a command or a call begins with: a model by its name or its file, a project by its file or its folder.
 
+use super::positions::Positions;
 use super::project::{PROJECT, Project, ProjectError};
 use super::text::{TextError, read_text};
 use std::io::ErrorKind;
@@ -71,6 +72,32 @@ impl Source {
         let path = file(path)?;
         let text = text(&path)?;
         of_project(&path, text)
+    }
+
+    /// The files that are read.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        let named = [Some(&self.described.model), self.described.stated.as_ref()];
+        named.into_iter().flatten().map(|text| PathBuf::from(&text.name)).collect()
+    }
+
+    /// The project's folder, if it is one's.
+    pub fn folder(&self) -> Option<PathBuf> {
+        let folder = Path::new(&self.described.stated.as_ref()?.name).parent()?;
+        Some(if folder == Path::new("") { PathBuf::from(".") } else { folder.to_owned() })
+    }
+
+    /// Where its runs are probed, and the file that says so.
+    pub fn positions(&self) -> Option<(PathBuf, &Positions)> {
+        let file = PathBuf::from(&self.described.stated.as_ref()?.name);
+        Some((file, self.project.as_ref()?.positions.as_ref()?))
+    }
+
+    /// The files of readings that it names, as it names them, by the run.
+    pub fn readings(&self) -> Vec<(String, Vec<String>)> {
+        let folder = self.folder().unwrap_or_default();
+        let named = |file: &PathBuf| file.strip_prefix(&folder).unwrap_or(file).display().to_string();
+        let runs = self.project.iter().flat_map(|project| &project.runs);
+        runs.map(|run| (run.name.clone(), run.files.iter().map(named).collect())).collect()
     }
 }
 

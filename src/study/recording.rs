@@ -47,7 +47,7 @@ impl Recording for Observation {
 }
 
 /// Samples of a recording that stand for all of it where a smooth function of the sweep is summed or looked at.
-const FEW: usize = 720;
+pub(super) const FEW: usize = 720;
 
 /// Every so many-th sample of a recording, the last one, and those at either end of the sweep.
 #[derive(Clone, Debug, Default)]

@@ -158,20 +158,20 @@ impl Setup {
 /// Calls `each` for every sample of an observation, with the regressors of the base parameters that its run sees, and with the factors of the
 /// run's known functions.
 pub(super) fn each_row(setup: &Setup, observation: &Observation, mut each: impl FnMut(&Sample, &[f64], &[f64])) {
-    let mut rows = Rows::new(setup, observation.run);
-    let mut row = vec![0.0; rows.regressors + rows.known.len()];
-    for samples in observation.samples.chunks(LANES) {
-        rows.samples = 0;
-        samples.iter().for_each(|sample| rows.take(sample));
-        rows.evaluate();
-        for (lane, sample) in samples.iter().enumerate() {
-            for (at, x) in row.iter_mut().enumerate() {
-                *x = rows.evaluator.output(at).map_or(0.0, |lanes| lanes[lane]);
+    let (mut samples, mut row) = (observation.samples.iter(), Vec::new());
+    let Ok(()) = blocks(
+        setup,
+        observation,
+        |_| {},
+        |rows| {
+            for (lane, sample) in (0..rows.samples).zip(&mut samples) {
+                row.clear();
+                row.extend((0..).map_while(|at| Some(rows.evaluator.output(at)?[lane])));
+                let (regressors, factors) = row.split_at(rows.regressors);
+                each(sample, regressors, factors);
             }
-            let (regressors, factors) = row.split_at(rows.regressors);
-            each(sample, regressors, factors);
-        }
-    }
+        },
+    );
 }
 
 /// Calls `on_sample` for every sample of a recording, and `each` for the rows of every block of them, in order.

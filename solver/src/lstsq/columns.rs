@@ -7,12 +7,12 @@ use super::{Column, Kernel, Real};
 const PARTS: usize = 4;
 
 #[inline(always)]
-fn parts<T, K: Kernel<T>, const N: usize>(column: &Column<T>) -> &[[K::Vector; N]] {
+fn parts<T, K: Kernel<T>>(column: &Column<T>) -> &[[K::Vector; PARTS]] {
     K::vectors(column).as_chunks().0
 }
 
 #[inline(always)]
-fn parts_mut<T, K: Kernel<T>, const N: usize>(column: &mut Column<T>) -> &mut [[K::Vector; N]] {
+fn parts_mut<T, K: Kernel<T>>(column: &mut Column<T>) -> &mut [[K::Vector; PARTS]] {
     K::vectors_mut(column).as_chunks_mut().0
 }
 
@@ -25,7 +25,7 @@ fn total<T, K: Kernel<T>>(kernel: K, [a, b, c, d]: [K::Vector; PARTS]) -> T {
 #[inline(always)]
 pub(super) fn dot<T: Real, K: Kernel<T>>(kernel: K, a: &Column<T>, b: &Column<T>) -> T {
     let mut sums = [kernel.splat(T::zero()); PARTS];
-    for (a, b) in parts::<T, K, PARTS>(a).iter().zip(parts::<T, K, PARTS>(b)) {
+    for (a, b) in parts::<T, K>(a).iter().zip(parts::<T, K>(b)) {
         for l in 0..PARTS {
             sums[l] = kernel.mul_add(a[l], b[l], sums[l]);
         }
@@ -76,10 +76,10 @@ pub(super) fn add_and_dot<T: Real, K: Kernel<T>, const N: usize>(
     next: &Column<T>,
 ) -> [T; N] {
     let mut sums = [[kernel.splat(T::zero()); PARTS]; N];
-    for (at, (v, u)) in parts::<T, K, PARTS>(own).iter().zip(parts::<T, K, PARTS>(next)).enumerate() {
+    for (at, (v, u)) in parts::<T, K>(own).iter().zip(parts::<T, K>(next)).enumerate() {
         for n in 0..N {
             let factor = kernel.splat(factors[n]);
-            let x = &mut parts_mut::<T, K, PARTS>(&mut columns[n])[at];
+            let x = &mut parts_mut::<T, K>(&mut columns[n])[at];
             for l in 0..PARTS {
                 x[l] = kernel.mul_add(factor, v[l], x[l]);
                 sums[n][l] = kernel.mul_add(x[l], u[l], sums[n][l]);
@@ -94,9 +94,9 @@ pub(super) fn add_and_dot<T: Real, K: Kernel<T>, const N: usize>(
 }
 
 /// Columns of a row's solution by a triangle: `out[n] = scales[n] · (columns[n] + Σⱼ factors[n][j] · xⱼ)`, with x the columns that
-/// are `done` and then those of `out` itself; so many vectors at once do not wait for each other.
+/// are `done` and then those of `out` itself.
 #[inline(always)]
-pub(super) fn substitute<T: Real, K: Kernel<T>, const N: usize, const PARTS: usize>(
+pub(super) fn substitute<T: Real, K: Kernel<T>, const N: usize>(
     kernel: K,
     columns: [&Column<T>; N],
     factors: [&[T]; N],
@@ -104,13 +104,13 @@ pub(super) fn substitute<T: Real, K: Kernel<T>, const N: usize, const PARTS: usi
     done: &[Column<T>],
     out: &mut [Column<T>; N],
 ) {
-    for at in 0..parts::<T, K, PARTS>(columns[0]).len() {
+    for at in 0..parts::<T, K>(columns[0]).len() {
         let mut sums = [[kernel.splat(T::zero()); PARTS]; N];
         for n in 0..N {
-            sums[n] = parts::<T, K, PARTS>(columns[n])[at];
+            sums[n] = parts::<T, K>(columns[n])[at];
         }
         for (j, done) in done.iter().enumerate() {
-            let x = parts::<T, K, PARTS>(done)[at];
+            let x = parts::<T, K>(done)[at];
             for n in 0..N {
                 let factor = kernel.splat(factors[n][j]);
                 for l in 0..PARTS {
@@ -128,7 +128,7 @@ pub(super) fn substitute<T: Real, K: Kernel<T>, const N: usize, const PARTS: usi
             for l in 0..PARTS {
                 sums[n][l] = kernel.mul(kernel.splat(scales[n]), sums[n][l]);
             }
-            parts_mut::<T, K, PARTS>(&mut out[n])[at] = sums[n];
+            parts_mut::<T, K>(&mut out[n])[at] = sums[n];
         }
     }
 }

@@ -13,7 +13,7 @@ pub trait Kernel<T>: Copy {
     /// Some rows of a column.
     type Vector: Copy;
 
-    /// A column's vectors: all of its rows. Eight divides how many they are.
+    /// A column's vectors: all of its rows. Four divides how many they are.
     fn vectors(column: &Column<T>) -> &[Self::Vector];
 
     /// The same, to be written.

@@ -126,14 +126,14 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
             let (done, rest) = b.split_at_mut(k);
             let Some(out) = rest.first_chunk_mut::<2>() else { return };
             let factors = [self.units[k].as_slice(), self.units[k + 1].as_slice()];
-            substitute::<_, _, 2, 4>(kernel, [first, second], factors, [scale(k), scale(k + 1)], done, out);
+            substitute(kernel, [first, second], factors, [scale(k), scale(k + 1)], done, out);
         }
         if let [last] = odd {
             let Some((own, done)) = b.split_last_mut() else { return };
             let k = done.len();
-            substitute::<_, _, 1, 8>(kernel, [last], [&self.units[k]], [scale(k)], done, core::array::from_mut(own));
+            substitute(kernel, [last], [&self.units[k]], [scale(k)], done, core::array::from_mut(own));
         }
-        substitute::<_, _, 1, 8>(kernel, [y], [&self.of_y], [T::one()], b, core::array::from_mut(e));
+        substitute(kernel, [y], [&self.of_y], [T::one()], b, core::array::from_mut(e));
     }
 
     /// The triangle of its own rows and these.

@@ -3,10 +3,12 @@
 //! A factor is of fixed size, as in a controller; here one is chosen by its size, so that a model read at run time is fitted by
 //! the same code. It stands in this crate so that its sizes are compiled once, not with every change of a program.
 
+mod spread;
 mod stored;
 mod vectors;
 
 pub use crate::lstsq::{Column, ROWS};
+pub use spread::{blocks, spread};
 pub use stored::{NotTaken, Stored};
 use vectors::Vectors;
 pub use vectors::{Work, vectorised};
@@ -119,30 +121,6 @@ pub struct Block<'a> {
     pub columns: &'a mut [Column<f64>],
     /// The readings.
     pub y: &'a mut Column<f64>,
-}
-
-/// From so many places of a recording a block has samples, four from each: most blocks are then like each other, and go in fastest.
-const PLACES: usize = 32;
-
-/// How many blocks [`spread`] makes of a recording.
-#[must_use]
-pub const fn blocks(samples: usize) -> usize {
-    samples.div_ceil(PLACES).div_ceil(ROWS / PLACES)
-}
-
-/// Copies the values of one of the [`blocks`] of a recording, from all over it; how many they are.
-pub fn spread(recording: &[f64], block: usize, to: &mut Column<f64>) -> usize {
-    const EACH: usize = ROWS / PLACES;
-    let mut count = 0;
-    for stretch in recording.chunks(recording.len().div_ceil(PLACES).max(1)) {
-        let values = stretch.get(block * EACH..).unwrap_or_default();
-        let values = values.first_chunk::<EACH>().map_or(values, |values| values.as_slice());
-        if let Some(to) = to.get_mut(count..count + values.len()) {
-            to.copy_from_slice(values);
-            count += values.len();
-        }
-    }
-    count
 }
 
 /// A block on its way into a factor.

@@ -7,7 +7,7 @@ mod text;
 use self::designed::Wanted;
 use self::positions::PositionArguments;
 use super::Refused;
-use super::model::{lengths, others, setup, source};
+use super::model::{described, lengths, others, setup, source};
 use super::number;
 use super::output::print;
 use super::predicted::{self, Measuring};
@@ -64,7 +64,7 @@ impl PlanArguments {
     /// Compares, prints.
     pub fn run(self) -> Result<(), Refused> {
         let source = source(self.model.as_deref())?;
-        let mut model = source.model()?;
+        let mut model = described(&source)?;
         self.ranges.apply(&mut model)?;
         if let Some(count) = self.positions.count {
             let setup = setup(model, self.one_radius()?, &self.lengths)?;

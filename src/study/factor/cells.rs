@@ -5,11 +5,9 @@
 use super::reader::{BytesError, Reader};
 use crate::study::hysteresis::{Averages, STEPS};
 use crate::study::observation::Sample;
+use crate::study::recording::FEW;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-
-/// Samples that stand for all of a run.
-const FEW: usize = 720;
 
 /// A part of the sweep in one direction: −1, 1, or 0 where that is not known.
 type Place = (i8, i32);
@@ -134,14 +132,17 @@ impl Cells {
         let up = self.cells.iter().filter(|((direction, _), _)| *direction >= 0);
         let down = self.cells.iter().rev().filter(|((direction, _), _)| *direction < 0);
         let mut kept = Vec::new();
+        // Every so many-th sample; the last one of a way is kept for the end that it is at.
+        let every = self.samples().div_ceil(FEW as u64).max(1);
         for (cells, down) in [(up.collect::<Vec<_>>(), false), (down.collect(), true)] {
             let samples: u64 = cells.iter().map(|(_, cell)| u64::from(cell.samples)).sum();
-            // Every so many-th sample; the last is kept for the end that it is at.
-            let step = self.samples().div_ceil(FEW as u64).max(1);
-            let mut before = 0;
+            let mut before: u64 = 0;
             for (&(direction, _), cell) in cells {
                 let count = u64::from(cell.samples);
-                let own = (0..count).filter(|at| (before + at).is_multiple_of(step) || before + at + 1 == samples);
+                let first = before.next_multiple_of(every) - before;
+                let last = (before + count == samples && !(samples - 1).is_multiple_of(every)).then_some(count - 1);
+                let own =
+                    std::iter::successors(Some(first), |at| Some(at + every)).take_while(|at| *at < count).chain(last);
                 kept.extend(own.map(|at| {
                     let share = at as f64 / count.saturating_sub(1).max(1) as f64;
                     cell.sample(if down { 1.0 - share } else { share }, f64::from(direction), known)
