@@ -115,7 +115,9 @@ fn units_do_not_matter() {
 
 #[test]
 fn a_functional_has_the_variance_of_the_coefficients() {
-    let fit = factor_of(&samples(40, 4)).solve().unwrap();
+    let factor = factor_of(&samples(40, 4));
+    let fit = factor.solve().unwrap();
+    assert_eq!(factor.coefficients(), Ok(fit.coefficients));
     let g = SVector::<f64, P>::from([1.0, -2.0, 0.5, 0.0, 3.0]);
     let variance = (g.transpose() * fit.covariance * g).x;
     assert!((fit.variance_of(&g).unwrap() / variance - 1.0).abs() < 1e-12);
@@ -152,6 +154,7 @@ fn too_few_samples_are_counted() {
     let five = factor_of(&samples(5, 8));
     assert_eq!(five.solve().err(), too_few(5, 6));
     assert_eq!(five.solve_with_sigma(1.0).unwrap().degrees_of_freedom, 0);
+    assert!(five.coefficients().is_ok());
     assert_eq!(five.solve_with_sigma(f64::NAN), Err(SolveError::NotFinite));
 }
 

@@ -143,6 +143,7 @@ fn check(model: &Model) {
     let known = order.solve_with_sigma(&first, &second, 0.3).unwrap();
     near(&DMatrix::from_column_slice(P, P, known.covariance.as_slice()), &pushed([0.09; 2]));
     assert_eq!(known.coefficients, solution.coefficients);
+    assert_eq!(order.coefficients(&first, &second), Ok(solution.coefficients));
 
     let sensitivity = order.sensitivity(&first, &second).unwrap();
     for (step, moves) in [sensitivity.first, sensitivity.second].iter().enumerate() {
@@ -199,7 +200,11 @@ fn a_failed_step_is_named_with_the_base_parameters() {
 
     model.steps[1].iter_mut().flatten().for_each(|(row, ..)| row[5] = row[3] - row[2]);
     let [first, second] = model.factors();
-    for failed in [order.solve(&first, &second).err(), order.condition(&first, &second).err()] {
+    for failed in [
+        order.solve(&first, &second).err(),
+        order.coefficients(&first, &second).err(),
+        order.condition(&first, &second).err(),
+    ] {
         let Some(TwoStepError { step: Step::Second, why: SolveError::RankDeficient(confounded) }) = failed else {
             panic!("{failed:?}")
         };

@@ -105,10 +105,10 @@ pub(super) fn weigh_down<R: Recording>(
             // The first pass only finds the scales.
             continue;
         }
-        let Ok(solved) = problem.solve(None) else { return Err(FitError::NotFinite.into()) };
-        let change = solved.coefficients.iter().zip(fit.values.iter()).zip(&std);
+        let Ok(coefficients) = problem.coefficients() else { return Err(FitError::NotFinite.into()) };
+        let change = coefficients.iter().zip(fit.values.iter()).zip(&std);
         let change = change.map(|((a, b), std)| (a - b).abs() / std.max(f64::MIN_POSITIVE)).fold(0.0, f64::max);
-        fit.values = solved.coefficients;
+        fit.values = coefficients;
         if change < SETTLED {
             break;
         }

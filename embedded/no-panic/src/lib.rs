@@ -70,6 +70,9 @@ impl<T: Real> Tape<'_, T> {
         for outcome in [order.solve(first, second), order.solve_with_sigma(first, second, sigma)] {
             self.solution(outcome.map_err(|e| e.why));
         }
+        if let Ok(coefficients) = order.coefficients(first, second) {
+            coefficients.iter().for_each(|v| self.put(*v));
+        }
         if let Ok(sensitivity) = order.sensitivity(first, second) {
             sensitivity.first.iter().chain(&sensitivity.second).for_each(|v| self.put(*v));
         }
@@ -94,6 +97,9 @@ fn lstsq<T: Real>(
     let taken = [factor.push(&row, y), factor.push_weighted(&row, y, weight), factor.merge(other)];
     tape.solution(factor.solve());
     tape.solution(factor.solve_with_sigma(weight));
+    if let Ok(coefficients) = factor.coefficients() {
+        coefficients.iter().for_each(|v| tape.put(*v));
+    }
     tape.two_steps(order, factor, other, weight);
     if let Ok(condition) = factor.condition() {
         tape.condition(&condition);

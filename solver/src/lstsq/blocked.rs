@@ -126,7 +126,8 @@ impl<T: Real, const P: usize> Blocked<T, P> {
 
     fn merge_triangle(&mut self) {
         self.factor = self.factor();
-        (self.upper, self.ahead) = (Upper::new(), Preconditioned::new());
+        self.upper = Upper::new();
+        self.ahead.clear();
         (self.rows, self.changes, self.again) = (0, 0, 0);
     }
 
@@ -136,7 +137,7 @@ impl<T: Real, const P: usize> Blocked<T, P> {
             self.upper = self.ahead.added(&self.upper);
             self.changes += 1;
         }
-        self.ahead = Preconditioned::new();
+        self.ahead.clear();
     }
 }
 

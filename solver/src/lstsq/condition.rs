@@ -31,7 +31,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
     /// Condition of the first `n` columns, as if there were no others.
     pub(crate) fn condition_of_first(&self, n: usize) -> Result<Condition<T, P>, SolveError<P>> {
         let triangle = Triangle::leading(self, n);
-        triangle.independent(&triangle.inverse()).map_err(SolveError::RankDeficient)?;
+        triangle.independent().map_err(SolveError::RankDeficient)?;
         let (n, norm2) = (n.min(P), triangle.squared_norms());
         // Rows of the scaled factor A: rotating them into orthogonality (one-sided Jacobi on A') leaves each as a
         // singular value times its right singular vector.

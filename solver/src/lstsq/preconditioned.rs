@@ -49,6 +49,13 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
         }
     }
 
+    /// Forgets the triangle and its rows.
+    pub fn clear(&mut self) {
+        if self.n > 0 {
+            (self.n, self.sums) = (0, Products::new());
+        }
+    }
+
     /// Takes a block of rows for a triangle, which has to stay as it is until they are [added](Self::added) to it; whether it did.
     /// There has to be a triangle of all columns, and a column to work in for each and for the readings.
     #[inline(always)]

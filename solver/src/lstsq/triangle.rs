@@ -35,34 +35,34 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
 
     /// Whether the samples determine the coefficients: there are enough, also for a residual if no `variance` is known, and
     /// the columns are independent: the sine of the angle between each and the span of those before it exceeds what rounding alone would leave.
-    /// `inverse` is R⁻¹.
-    pub fn determined(self, inverse: &[[T; P]; P], variance: Option<T>) -> Result<(), SolveError<P>> {
+    pub fn determined(self, variance: Option<T>) -> Result<(), SolveError<P>> {
         let (samples, needed) = (self.factor.samples, self.n.saturating_add(usize::from(variance.is_none())));
         if usize::try_from(samples).is_ok_and(|samples| samples < needed) {
             return Err(SolveError::TooFewSamples { samples, needed });
         }
-        self.independent(inverse).map_err(SolveError::RankDeficient)
+        self.independent().map_err(SolveError::RankDeficient)
     }
 
-    pub fn independent(self, inverse: &[[T; P]; P]) -> Result<(), Confounded<P>> {
+    pub fn independent(self) -> Result<(), Confounded<P>> {
         let (n, norm2) = (self.n.min(P), self.squared_norms());
         let least_sine = T::of(8.0) * T::of_count(u32::try_from(n).unwrap_or(u32::MAX)) * T::epsilon();
         let least = norm2.map(|norm2| least_sine * least_sine * norm2);
         for k in 0..n {
             if self.factor.dr[k][k] <= least[k] {
-                return Err(self.confounded(k, inverse, &norm2, &least));
+                return Err(self.confounded(k, &norm2, &least));
             }
         }
         Ok(())
     }
 
-    /// Column `pivot` is −Σ inverse[j][pivot]·column j: those whose part in it is over a thousandth take part.
+    /// Column `pivot` is −Σ R⁻¹[j][pivot]·column j: those whose part in it is over a thousandth take part.
     #[cold]
-    fn confounded(self, pivot: usize, inverse: &[[T; P]; P], norm2: &[T; P], least: &[T; P]) -> Confounded<P> {
+    fn confounded(self, pivot: usize, norm2: &[T; P], least: &[T; P]) -> Confounded<P> {
+        let inverse = self.inverse();
         let of_pivot = |row: &[T; P]| row.get(pivot).copied().unwrap_or(T::zero());
         let share = T::of(1e-6) * of_pivot(norm2);
         let mut involved = [false; P];
-        for (j, ((involved, row), &norm2)) in involved.iter_mut().zip(inverse).zip(norm2).enumerate() {
+        for (j, ((involved, row), &norm2)) in involved.iter_mut().zip(&inverse).zip(norm2).enumerate() {
             let part = of_pivot(row);
             *involved = j == pivot || (j < pivot && part * part * norm2 > share);
         }

@@ -13,7 +13,7 @@ pub use stored::{NotTaken, Stored};
 use vectors::Vectors;
 pub use vectors::{Work, vectorised};
 
-use crate::lstsq::{Blocked, Condition, Order, Portable, Rejected, Solution, SolveError, Step, TwoStepError};
+use crate::lstsq::{Blocked, Condition, Factor, Order, Portable, Rejected, Solution, SolveError, Step, TwoStepError};
 use nalgebra::{DMatrix, DVector, SMatrix};
 use std::boxed::Box;
 use std::vec;
@@ -81,6 +81,10 @@ pub enum Unsolved {
 }
 
 impl Unsolved {
+    fn in_step<const P: usize>(error: TwoStepError<P>) -> Self {
+        Self::of(error.step, error.why)
+    }
+
     fn of<const P: usize>(step: Step, error: SolveError<P>) -> Self {
         match error {
             SolveError::TooFewSamples { samples, needed } => Self::TooFew { step, samples, needed },
@@ -108,6 +112,11 @@ pub trait Estimate: Send + Sync {
     fn absorb(&mut self, stored: &[Stored]) -> Result<(), NotTaken>;
     /// A copy.
     fn copy(&self) -> Box<dyn Estimate>;
+    /// The coefficients of [`solve`](Self::solve) alone, in the order of the columns.
+    ///
+    /// # Errors
+    /// [`Unsolved`]
+    fn coefficients(&self) -> Result<DVector<f64>, Unsolved>;
     /// The estimate; `sigma` is the standard deviation of a reading of weight one, if it is known.
     ///
     /// # Errors
@@ -151,6 +160,10 @@ impl<const P: usize> Push<'_, P> {
     }
 }
 
+fn leading(n: usize, coefficients: &[f64]) -> DVector<f64> {
+    DVector::from_column_slice(&coefficients[..n])
+}
+
 /// The first `n` of what was solved.
 fn solved<const P: usize>(
     n: usize,
@@ -160,7 +173,7 @@ fn solved<const P: usize>(
 ) -> Solved {
     let matrix = |m: &SMatrix<f64, P, P>| DMatrix::from_fn(n, n, |i, j| m[(i, j)]);
     Solved {
-        coefficients: DVector::from_fn(n, |i, _| solution.coefficients[i]),
+        coefficients: leading(n, solution.coefficients.as_slice()),
         covariance: matrix(&solution.covariance),
         degrees_of_freedom: solution.degrees_of_freedom,
         sensitivity: sensitivity.each_ref().map(matrix),
@@ -199,6 +212,13 @@ impl<const P: usize> Estimate for OneStep<P> {
         stored.add_to(&mut self.factor, self.n)
     }
 
+    fn coefficients(&self) -> Result<DVector<f64>, Unsolved> {
+        let (n, factor) = (self.n, self.factor.factor());
+        enough(Step::First, factor.samples(), n)?;
+        let coefficients = factor.coefficients_of_first(n).map_err(|e| Unsolved::of(Step::First, e))?;
+        Ok(leading(n, &coefficients))
+    }
+
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
         let (n, factor) = (self.n, self.factor.factor());
         let unsolved = |e| Unsolved::of(Step::First, e);
@@ -222,6 +242,18 @@ struct TwoSteps<const P: usize> {
 }
 
 impl<const P: usize> TwoSteps<P> {
+    fn unknowns(&self) -> usize {
+        self.order.first().len() + self.order.own().len()
+    }
+
+    /// The factor of each step, if there are enough samples in both.
+    fn factors(&self) -> Result<[Factor<f64, P>; 2], Unsolved> {
+        let [first, second] = [&self.first, &self.second].map(Blocked::factor);
+        enough(Step::First, first.samples(), self.order.first().len())?;
+        enough(Step::Second, second.samples(), self.order.own().len())?;
+        Ok([first, second])
+    }
+
     /// The columns of each step.
     fn widths(&self) -> [usize; 2] {
         [self.order.first().len(), self.columns]
@@ -254,20 +286,22 @@ impl<const P: usize> Estimate for TwoSteps<P> {
         Ok(())
     }
 
+    fn coefficients(&self) -> Result<DVector<f64>, Unsolved> {
+        let [first, second] = &self.factors()?;
+        let coefficients = self.order.coefficients(first, second).map_err(Unsolved::in_step)?;
+        Ok(leading(self.unknowns(), coefficients.as_slice()))
+    }
+
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
-        let (order, first, second) = (&self.order, &self.first.factor(), &self.second.factor());
-        let unsolved = |e: TwoStepError<P>| Unsolved::of(e.step, e.why);
-        enough(Step::First, first.samples(), order.first().len())?;
-        enough(Step::Second, second.samples(), order.own().len())?;
+        let (order, [first, second]) = (&self.order, &self.factors()?);
         let solution = match sigma {
             None => order.solve(first, second),
             Some(sigma) => order.solve_with_sigma(first, second, sigma),
         };
-        let solution = solution.map_err(unsolved)?;
-        let sensitivity = order.sensitivity(first, second).map_err(unsolved)?;
-        let condition = order.condition(first, second).map_err(unsolved)?;
-        let n = order.first().len() + order.own().len();
-        Ok(solved(n, solution, condition, [sensitivity.first, sensitivity.second]))
+        let solution = solution.map_err(Unsolved::in_step)?;
+        let sensitivity = order.sensitivity(first, second).map_err(Unsolved::in_step)?;
+        let condition = order.condition(first, second).map_err(Unsolved::in_step)?;
+        Ok(solved(self.unknowns(), solution, condition, [sensitivity.first, sensitivity.second]))
     }
 }
 

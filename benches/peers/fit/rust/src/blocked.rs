@@ -1,11 +1,11 @@
-//! The blocked factor: with generated rows, as a program with a model of its own has them, and with those of a model read at run time.
+//! The blocked factor, coefficients alone or all that is known of them: with generated rows, as a program with a model of its own has them, and with those of a model read at run time.
 
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::model::run;
 use trunnion_codegen::graph::{BlockEvaluator, LANES, Tape};
 use trunnion_codegen::identify::derive;
 use trunnion_solver::lstsq::Step;
-use trunnion_solver::sized::{Block, Column, Columns, ROWS, Work, blocks, estimator, spread, vectorised};
+use trunnion_solver::sized::{Block, Column, Columns, Estimate, ROWS, Solved, Work, blocks, estimator, spread, vectorised};
 use trunnion_solver::tilting::{rows_of_separation, rows_of_tilting};
 
 /// Generated rows of both runs.
@@ -26,8 +26,21 @@ impl Work for Rows<'_> {
     }
 }
 
-/// A fit with generated rows.
+/// The coefficients, by a fit with generated rows.
 pub fn fit(radius: f64, angles: &[f64], readings: &[Vec<f64>; 2]) -> Vec<f64> {
+    coefficients(&*filled(radius, angles, readings))
+}
+
+/// The same with covariance, sensitivities and condition.
+pub fn solve(radius: f64, angles: &[f64], readings: &[Vec<f64>; 2]) -> Solved {
+    filled(radius, angles, readings).solve(None).ok().expect("a whole turn")
+}
+
+fn coefficients(problem: &dyn Estimate) -> Vec<f64> {
+    problem.coefficients().expect("a whole turn").as_slice().to_vec()
+}
+
+fn filled(radius: f64, angles: &[f64], readings: &[Vec<f64>; 2]) -> Box<dyn Estimate> {
     // Of the tilting run, the coefficients that only it sees come first: k6, k7, k8 are copied before e_xa1 and e_xa2.
     let columns =
         Columns { first: vec![2, 3, 4, 5, 6, 10, 11, 12], own: vec![7, 8, 9, 0, 1], given: vec![2, 3, 4, 5, 6] };
@@ -47,7 +60,7 @@ pub fn fit(radius: f64, angles: &[f64], readings: &[Vec<f64>; 2]) -> Vec<f64> {
         problem.push(Step::Second, pushed, count, 1.0).expect("samples");
         problem.push(Step::First, Block { columns: &mut separation, y: second }, count, 1.0).expect("samples");
     }
-    problem.solve(None).ok().expect("a whole turn").coefficients.as_slice().to_vec()
+    problem
 }
 
 /// The tapes of both runs' rows, and what each step's columns are.
@@ -108,6 +121,6 @@ impl Model {
                 problem.push(step, block, count, 1.0).expect("samples");
             }
         }
-        problem.solve(None).ok().expect("a whole turn").coefficients.as_slice().to_vec()
+        coefficients(&*problem)
     }
 }

@@ -28,6 +28,9 @@ pub fn run(samples: usize, exact: &str) {
 
     let blocked = time(|| drop(blocked::fit(RADIUS, &angles, &readings)));
     show("Trunnion, blocked, f64", blocked, error(&blocked::fit(RADIUS, &angles, &readings), &exact));
+    let whole = time(|| drop(blocked::solve(RADIUS, &angles, &readings)));
+    let off = error(blocked::solve(RADIUS, &angles, &readings).coefficients.as_slice(), &exact);
+    show("Trunnion, blocked, f64, with covariance and condition", whole, off);
     let model = Model::new();
     let read = time(|| drop(model.fit(RADIUS, &angles, &readings)));
     let off = error(&model.fit(RADIUS, &angles, &readings), &exact);
