@@ -2,7 +2,7 @@
 
 mod commands;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::output::{output, say};
 use commands::seen;
 use std::io::{StdoutLock, Write};
@@ -19,7 +19,7 @@ Colours are left out where NO_COLOR is set or nobody looks.";
 
 /// Derives, fits and embeds the measurement models of multi-axis machine tools.
 #[derive(Debug, Parser)]
-#[command(version, propagate_version = true, after_help = CODES)]
+#[command(version, propagate_version = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -70,7 +70,8 @@ fn main() -> ExitCode {
     };
     // Whoever has it ignore hang-ups wants it to go on; then an interrupt leaves what the next run clears.
     let _ = ctrlc::try_set_handler(interrupted);
-    let arguments = match Arguments::try_parse() {
+    let parsed = program().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(told) => return shown(&told),
     };
@@ -89,8 +90,8 @@ fn main() -> ExitCode {
         Command::Plan(c) => c.run(),
         Command::MonteCarlo(c) => c.run(),
         Command::Exechon(c) => c.run(),
-        Command::Completions(c) => c.run(Arguments::command()),
-        Command::Man(c) => c.run(Arguments::command()),
+        Command::Completions(c) => c.run(program()),
+        Command::Man(c) => c.run(program()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -99,6 +100,14 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// The program; each command says its exit codes.
+fn program() -> clap::Command {
+    fn told(command: clap::Command) -> clap::Command {
+        command.after_help(CODES).mut_subcommands(told)
+    }
+    told(Arguments::command())
 }
 
 /// Help, the version, or what is wrong with the arguments.

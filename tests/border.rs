@@ -36,7 +36,7 @@ fn every_number_of_an_option_has_its_range() {
         (&offset, "--diameter", length),
         (&offset, "--stylus", "from 0 to 100000"),
         (&ring, "--stylus", "from 0 to 100000"),
-        (&ring, "--step", "above 0 to 360"),
+        (&ring, "--step-deg", "above 0 to 360"),
         (&plan, "--size", length),
         (&plan, "--clearance", length),
         (&plan, "--touches", "from 2 to 1000"),

@@ -149,11 +149,15 @@ fn location_errors_are_found_and_told_in_the_terms_of_a_control() {
     for (pin, expected) in [
         ("x-rot-point", 20.0 + found["EX0C"]),
         ("y-rot-point", -35.5 + found["EY0A"] + found["EY0C"]),
-        ("z-rot-point", found["EZ0A"]),
         ("y-offset", 1.0 - found["EY0C"]),
     ] {
         assert!((set(pin) - expected).abs() < 1e-6, "{pin}: {} and not {expected}", set(pin));
     }
+    // Of a pin that is not known, what is to be added is no command.
+    assert!(!hal.contains("setp xyzac-trt-kins.z-rot-point"));
+    let added =
+        format!("# to be added to xyzac-trt-kins.z-rot-point, which was not given: {:.6}, + EZ0A", found["EZ0A"]);
+    assert!(hal.contains(&added), "{added}: {hal}");
     // A sum is as uncertain as its errors are together, in the file as in the object.
     let told = ["--format", "linuxcnc", "--json", "--force", "--pin", "y-rot-point=-35.5"];
     let object: Value =
@@ -187,18 +191,31 @@ fn location_errors_are_found_and_told_in_the_terms_of_a_control() {
         assert!((0..3).all(|i| (n[i] + by[i] - leaning[i]).abs() < 2e-8), "{axis}: {by:?}");
     }
 
+    // What the runs do not determine is not told as nothing.
+    let alone: Vec<&str> = ["pivots", "ac-trunnion-probe", "--format", "sinumerik", "--json", "--out", "c.txt"].into();
+    let with_c = |run: &&str| ["c-x=", "c-y=", "c-z="].iter().any(|own| run.starts_with(own));
+    let of_c: Vec<&str> = runs.iter().map(String::as_str).filter(with_c).flat_map(|run| ["--run", run]).collect();
+    let object: Value = serde_json::from_str(&succeeds(at, &[&alone[..], &of_c].concat())).unwrap();
+    let chain = fs::read_to_string(at.join("c.txt")).unwrap();
+    let of_a = &object["chain"][0];
+    assert_eq!(of_a["offset"], serde_json::json!([]), "{of_a}");
+    assert_eq!(of_a["not_determined"], serde_json::json!(["EB0A", "EC0A", "EY0A", "EZ0A"]));
+    assert!(chain.contains("; offset before A: $NK_OFF_DIR += (0.000000, ?, ?)  +- (0.000000, ?, ?)\n"), "{chain}");
+    assert!(chain.contains("; ?: EB0C, EX0C, EY0C not determined"), "{chain}");
     // Constants of a volumetric table; none of a single axis' table.
     run(&["export", "ac-trunnion-probe", "--format", "volcomp", "--out", "volcomp.csv"], &[]);
     assert!(fs::read_to_string(at.join("volcomp.csv")).unwrap().contains("X0C"));
     let words =
         command(&["export", "ac-trunnion-probe", "--function", "EX0C", "--format", "linuxcnc", "--out", "x"], &[]);
     assert!(refused(at, &words.iter().map(String::as_str).collect::<Vec<_>>()).contains("trunnion pivots"));
-    for (more, told) in [
-        (["--format", "linuxcnc", "--pin", "x-offset=1"], "no pin of xyzac-trt-kins"),
-        (["--format", "linuxcnc", "--pin", "x-rot-point"], "NAME=MM"),
-        (["--format", "sinumerik", "--pin", "x-rot-point=1"], "no effect"),
-    ] {
-        let words = command(&["pivots", "ac-trunnion-probe", "--out", "no"], &more);
+    let cases: [(&[&str], &str); 4] = [
+        (&["--format", "linuxcnc", "--pin", "x-offset=1"], "no pin of xyzac-trt-kins"),
+        (&["--format", "linuxcnc", "--pin", "x-rot-point"], "NAME=MM"),
+        (&["--format", "linuxcnc", "--pin", "x-rot-point=1", "--pin", "x-rot-point=2"], "given twice"),
+        (&["--format", "sinumerik", "--pin", "x-rot-point=1"], "no effect"),
+    ];
+    for (more, told) in cases {
+        let words = command(&["pivots", "ac-trunnion-probe", "--out", "no"], more);
         assert!(refused(at, &words.iter().map(String::as_str).collect::<Vec<_>>()).contains(told), "{told}");
     }
 }

@@ -269,7 +269,13 @@ fn shells_and_readers_are_served() {
     succeeds(directory.path(), &["man", "--out", "man"]);
     let page = fs::read_to_string(directory.path().join("man/trunnion-exechon-ring.1")).unwrap();
     assert!(page.contains("stylus"), "{page}");
-    assert!(succeeds(directory.path(), &["--help"]).contains("130  interrupted"));
+    for page in fs::read_dir(directory.path().join("man")).unwrap() {
+        let page = fs::read_to_string(page.unwrap().path()).unwrap();
+        assert!(page.contains("130  interrupted") && !page.contains("help(1)"), "{page}");
+    }
+    for command in [&["--help"][..], &["fit", "--help"], &["exechon", "ring", "--help"]] {
+        assert!(succeeds(directory.path(), command).contains("130  interrupted"), "{command:?}");
+    }
     let range = ["simulate", "tilting-table-a", "--samples", "4"];
     let of = |more: &[&str], out: &str| {
         succeeds(directory.path(), &[&range[..], more, &["--out", out]].concat());

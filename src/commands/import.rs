@@ -2,6 +2,7 @@
 
 use super::circular::plane;
 use super::output::print;
+use super::predicted::range;
 use super::{Refused, number};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
@@ -30,14 +31,18 @@ pub struct ImportArguments {
     /// Unit of the readings of a .b5r; without it the one in which they are as round as the file says.
     #[arg(long, value_enum)]
     unit: Option<ReadingUnit>,
-    /// Where the arc begins, degrees; of a .b5r without it as the test's name says, of a table where its samples do.
-    #[arg(long, requires = "to_deg", value_parser = number::angle, allow_negative_numbers = true)]
+    /// Where the arc begins and ends, degrees: samples beyond are trimmed. Without it, of a .b5r as the test's name says, of a table
+    /// where its samples do.
+    #[arg(long, value_name = "A:B", value_parser = range, allow_hyphen_values = true, conflicts_with_all = ["from_deg", "to_deg"])]
+    range_deg: Option<(f64, f64)>,
+    /// Its beginning.
+    #[arg(long, value_name = "DEG", hide = true, requires = "to_deg", value_parser = number::angle, allow_negative_numbers = true)]
     from_deg: Option<f64>,
-    /// Where it ends, degrees: samples beyond either end are trimmed.
-    #[arg(long, requires = "from_deg", value_parser = number::angle, allow_negative_numbers = true)]
+    /// Its end.
+    #[arg(long, value_name = "DEG", hide = true, requires = "from_deg", value_parser = number::angle, allow_negative_numbers = true)]
     to_deg: Option<f64>,
     /// How far the readings of a .b5r go beyond either end of the arc, degrees; 0 without it.
-    #[arg(long, value_parser = number::step, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG", value_parser = number::step, allow_negative_numbers = true)]
     overshoot_deg: Option<f64>,
     /// The plane that a .b5r has to be a test of, such as YZ.
     #[arg(long, value_parser = plane)]
@@ -81,7 +86,7 @@ impl ImportArguments {
     }
 
     fn stated(&self) -> Result<Stated, Refused> {
-        let ends_deg = self.from_deg.zip(self.to_deg);
+        let ends_deg = self.range_deg.or(self.from_deg.zip(self.to_deg));
         if let Some((_, to)) = ends_deg.filter(|(from, to)| to <= from) {
             return Err(Refused::Option(
                 "to-deg",

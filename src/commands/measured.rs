@@ -7,7 +7,7 @@ use super::reported::read;
 use super::stated::{InstrumentArguments, LimitArguments};
 use super::{Refused, seen};
 use clap::{Args, ValueEnum};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use trunnion::data::{
     self, Columns, FileError, MachineAtHand, ObservationsError, Project, Recorded, RunFiles, Source, Stamp,
@@ -212,18 +212,23 @@ impl Measured<'_> {
 
     /// The files that were read, each once.
     pub fn files_read(&self, recorded: &[Recorded]) -> Vec<Value> {
-        let mut runs: Vec<(&Path, &Stamp, Vec<&str>)> = Vec::new();
+        let mut runs: Vec<(&Recorded, Vec<&str>)> = Vec::new();
         for own in recorded {
             let run = self.setup.model.runs[own.run()].name.as_str();
-            match runs.iter_mut().find(|(file, ..)| *file == own.file()) {
-                Some((.., names)) if names.contains(&run) => {}
-                Some((.., names)) => names.push(run),
-                None => runs.push((own.file(), own.stamp(), vec![run])),
+            match runs.iter_mut().find(|(other, _)| other.file() == own.file()) {
+                Some((_, names)) if names.contains(&run) => {}
+                Some((_, names)) => names.push(run),
+                None => runs.push((own, vec![run])),
             }
         }
         let named = |file: &Path| file.display().to_string();
-        let run = |(file, stamp, names): (&Path, &Stamp, Vec<&str>)| {
-            read(&format!("run {}", names.join(", ")), &named(file), Some(stamp.clone()))
+        let run = |(own, names): (&Recorded, Vec<&str>)| {
+            let mut file = read(&format!("run {}", names.join(", ")), &named(own.file()), Some(own.stamp().clone()));
+            if !own.about().is_empty() {
+                file["says"] =
+                    own.about().iter().map(|(name, words)| json!({ "name": name, "words": words })).collect();
+            }
+            file
         };
         // No run may see a known function.
         let known = |file| recorded.iter().find_map(Recorded::table).cloned().or_else(|| Stamp::of_file(file));

@@ -30,11 +30,11 @@ pub struct NewArguments {
     #[command(flatten)]
     ranges: RangeArguments,
     /// Degrees of the sweep a minute in the NC programs.
-    #[arg(long, value_name = "DEG", default_value_t = 360.0, value_parser = number::rate, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG/MIN", default_value_t = 360.0, value_parser = number::rate, allow_negative_numbers = true)]
     rate: f64,
     /// Degrees by which the NC programs go on beyond both ends of what is measured; where an axis' range ends, less is measured.
-    #[arg(long, value_name = "DEG", default_value_t = 5.0, value_parser = number::beyond, allow_negative_numbers = true)]
-    overshoot: f64,
+    #[arg(long, alias = "overshoot", value_name = "DEG", default_value_t = 5.0, value_parser = number::beyond, allow_negative_numbers = true)]
+    overshoot_deg: f64,
     /// Positions of a touch probe in each run that reads three displacements: its programs stop there and find a sphere's centre,
     /// in place of a path for probes that read on the way.
     #[arg(long, value_name = "N", value_parser = number::stops, group = "stops")]
@@ -72,7 +72,7 @@ impl NewArguments {
         let stopped = |at: usize| stops.as_ref()?.get(at).filter(|_| measurements[at].is_displacement()).cloned();
         let path = |(at, measurement): (usize, &Measurement)| {
             let run = measurement.first()?;
-            let driven = || setup.path(run, self.overshoot.to_radians());
+            let driven = || setup.path(run, self.overshoot_deg.to_radians());
             let path = stopped(at).map_or_else(driven, |sweeps| Ok(setup.positions(run, sweeps)));
             Some(path.map(|path| (measurement.clone(), path)))
         };

@@ -20,7 +20,7 @@ pub struct PivotArguments {
     /// What takes them: docs/pivots.md says how.
     #[arg(long, value_enum)]
     format: Takes,
-    /// linuxcnc: what a pin of the kinematics is now, mm; 0 of each that is not given.
+    /// linuxcnc: what a pin of the kinematics is now, mm; of each that is not given, what is to be added to it is a comment.
     #[arg(long = "pin", value_name = "NAME=MM", allow_hyphen_values = true)]
     pins: Vec<String>,
     /// The file.
@@ -90,7 +90,14 @@ impl PivotArguments {
             let _ = writeln!(out, "  {name} = {} (95 %)", own.words());
         }
         for pin in taken.pins().iter().flat_map(|own| &own.pins) {
-            let _ = writeln!(out, "  {} {:.6}: {} (95 %)", pin.name, pin.value, pin.words());
+            let value = pin.value().map_or_else(|| String::from("to be added"), |value| format!("{value:.6}"));
+            let _ = writeln!(out, "  {} {value}: {} (95 %)", pin.name, pin.words());
+        }
+        for own in taken.chain() {
+            let unknown = own.unknown();
+            if !unknown.is_empty() {
+                let _ = writeln!(out, "  axis {}: {} not determined", own.axis, unknown.join(", "));
+            }
         }
         out
     }

@@ -189,7 +189,7 @@ fn observations(error: &ObservationsError) -> String {
 fn stated_by(what: &Wrong) -> Option<&'static str> {
     match what {
         Wrong::NoUnit(_) | Wrong::FeatureUnit(_) => Some("--unit mm or --unit um"),
-        Wrong::NoEnds(_) => Some("--from-deg and --to-deg"),
+        Wrong::NoEnds(_) => Some("--range-deg"),
         _ => None,
     }
 }

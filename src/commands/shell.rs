@@ -37,7 +37,8 @@ pub struct ManArguments {
 
 impl ManArguments {
     /// Writes.
-    pub fn run(self, mut program: Command) -> Result<(), Refused> {
+    pub fn run(self, program: Command) -> Result<(), Refused> {
+        let mut program = without_help(program);
         program.build();
         let mut files = Files::default();
         pages(&program, &mut files);
@@ -52,5 +53,10 @@ fn pages(command: &Command, files: &mut Files) {
     // A vector takes whatever is written to it.
     let _ = clap_mangen::Man::new(command.clone()).render(&mut page);
     files.add(format!("{name}.1"), page);
-    command.get_subcommands().filter(|command| command.get_name() != "help").for_each(|command| pages(command, files));
+    command.get_subcommands().for_each(|command| pages(command, files));
+}
+
+/// The command `help` has no page, and pages must not name one.
+fn without_help(command: Command) -> Command {
+    command.disable_help_subcommand(true).mut_subcommands(without_help)
 }

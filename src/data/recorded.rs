@@ -22,6 +22,8 @@ pub struct Recorded<'a> {
     contents: Contents,
     /// The run as an instrument's file has it.
     trace: Option<Trace>,
+    /// What that file says of the test, line by line.
+    about: Vec<(&'static str, String)>,
     known: KnownAlong,
     headings: Headings,
     samples: usize,
@@ -93,7 +95,8 @@ impl<'a> Recorded<'a> {
         }
         let line = |s: &TraceSample| Line { line: s.line, values: vec![s.angle_rad, s.reading_mm] };
         let lines = Lines::given(file, &IMPORTED, trace.kept().iter().map(line).collect());
-        Self::of(setup, run, (file, lines), columns, (known, Some(trace)), || stamp.clone())
+        let recorded = Self::of(setup, run, (file, lines), columns, (known, Some(trace)), || stamp.clone())?;
+        Ok(Self { about: about.lines(), ..recorded })
     }
 
     fn of(
@@ -121,7 +124,8 @@ impl<'a> Recorded<'a> {
             Some(problem) => Err(FileError { file, problem }),
             None => {
                 let stamp = stamp();
-                Ok(Self { setup, run, weight: 1.0, file, columns, contents, trace, known, headings, samples, stamp })
+                let (weight, about) = (1.0, Vec::new());
+                Ok(Self { setup, run, weight, file, columns, contents, trace, about, known, headings, samples, stamp })
             }
         }
     }
@@ -134,6 +138,11 @@ impl<'a> Recorded<'a> {
     /// The file.
     pub fn file(&self) -> &Path {
         &self.file
+    }
+
+    /// What an instrument's file says of the test, line by line: what each is called, and its words.
+    pub fn about(&self) -> &[(&'static str, String)] {
+        &self.about
     }
 
     /// What was read of it.

@@ -1,6 +1,6 @@
 //! Where rotary axes are, as one JSON object.
 
-use crate::export::{Chained, Estimate, Located, Pin, Pins};
+use crate::export::{Added, Chained, Estimate, Located, Pin, Pins};
 use serde_json::{Value, json};
 
 /// The file, the location errors, and what a control takes: the pins of LinuxCNC's kinematics, or what is added to a kinematic chain; each
@@ -23,19 +23,26 @@ fn named(name: &str, own: &Estimate) -> Value {
     json!({ "name": name, "unit": unit.suffix(), "value": value, "std": std, "u95": u95 })
 }
 
-/// What it is in mm, and what was added to it.
+/// What it is and is to be in mm, null if it was not said what it is, and what is added to it.
 fn pin(pin: &Pin) -> Value {
     let mut object = named(pin.name, &pin.change);
-    object["value_mm"] = json!(pin.value);
+    object["value_mm"] = json!(pin.value());
     object["now_mm"] = json!(pin.now);
     object["sum"] = pin.sum.iter().map(|(name, factor)| json!({ "name": name, "factor": factor })).collect();
     object
 }
 
 fn chained(own: &Chained) -> Value {
-    let three = |values: &[Option<Estimate>; 3]| -> Value {
+    let three = |values: &[Added; 3]| -> Value {
         let each = ["x", "y", "z"].iter().zip(values);
-        each.filter_map(|(along, own)| Some(named(along, own.as_ref()?))).collect()
+        let found =
+            |(along, own): (&&str, &Added)| if let Added::Found(own) = own { Some(named(along, own)) } else { None };
+        each.filter_map(found).collect()
     };
-    json!({ "axis": own.axis, "offset": three(&own.offset), "direction": three(&own.direction) })
+    json!({
+        "axis": own.axis,
+        "offset": three(&own.offset),
+        "direction": three(&own.direction),
+        "not_determined": own.unknown(),
+    })
 }

@@ -22,7 +22,7 @@ MACHINES = Path(__file__).resolve().parent.parent.parent / "codegen/machines"
 AXES = "XYZABCUVW"
 # What the pages claim: a block is within this of the path, mm.
 NEAR = 1e-4
-# What `trunnion new` adds to either end without --overshoot, degrees.
+# What `trunnion new` adds to either end without --overshoot-deg, degrees.
 OVERSHOOT = 5.0
 # Of a rotary axis a radian counts as this, mm: about as far as balls are from an axis.
 ARM = 100.0

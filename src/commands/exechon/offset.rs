@@ -35,6 +35,9 @@ pub struct OffsetArguments {
     /// Accuracy of the ring's diameter, two sigma, µm.
     #[arg(long, value_name = "UM", default_value_t = 1.0, value_parser = number::noise, allow_negative_numbers = true)]
     accuracy: f64,
+    /// One JSON document, which is what is printed without it too.
+    #[arg(long = "json")]
+    _json: bool,
     #[command(flatten)]
     report: ReportArguments,
     #[command(flatten)]

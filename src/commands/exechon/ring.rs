@@ -29,8 +29,8 @@ pub struct RingArguments {
     #[arg(long, value_name = "MM", default_value_t = 6.0, value_parser = number::size, allow_negative_numbers = true)]
     stylus: f64,
     /// Touches nearer than half of this are repeats of one place, degrees.
-    #[arg(long, value_name = "DEG", default_value_t = 10.0, value_parser = number::step, allow_negative_numbers = true)]
-    step: f64,
+    #[arg(long, alias = "step", value_name = "DEG", default_value_t = 10.0, value_parser = number::step, allow_negative_numbers = true)]
+    step_deg: f64,
     /// One JSON document instead of text.
     #[arg(long)]
     json: bool,
@@ -53,7 +53,7 @@ impl RingArguments {
             ));
         }
         let machine = self.which.read()?;
-        let (report, stamp) = ring_report_of(&machine, &self.file, self.offset, self.step.to_radians())?;
+        let (report, stamp) = ring_report_of(&machine, &self.file, self.offset, self.step_deg.to_radians())?;
         let document = self.document(&report, stamp);
         let html = self.report.is_wanted().then(|| page::ring(&document, &report)).transpose()?;
         let inputs = || self.which.inputs().chain([self.file.as_path()]);

@@ -24,6 +24,9 @@ pub enum NoPivots {
         /// Its pins.
         pins: String,
     },
+    /// A pin that is given twice.
+    #[error("{0}: given twice\n  expected once what a pin is now")]
+    Twice(String),
 }
 
 /// Kinematics of LinuxCNC: a table that turns about C on one that tilts.
@@ -64,10 +67,8 @@ const KINEMATICS: [Kinematics; 2] = [
 pub struct Pin {
     /// Its name.
     pub name: &'static str,
-    /// What it is now, mm.
-    pub now: f64,
-    /// What it is to be, mm.
-    pub value: f64,
+    /// What it is now, mm, if that was said.
+    pub now: Option<f64>,
     /// What is added to it, mm, as certain as all the errors in it are together.
     pub change: Estimate,
     /// The location errors in that, with their factors.
@@ -85,7 +86,7 @@ pub struct Pins {
     pub left: Vec<(String, Estimate)>,
 }
 
-/// The pins for a model, from what they are now (mm; 0 of those not given) and what was found.
+/// The pins for a model, from what is known of what they are now (mm) and what was found.
 ///
 /// # Errors
 /// [`NoPivots`]
@@ -95,13 +96,18 @@ pub fn pins(model: &Model, located: &Located, now: &[(String, f64)]) -> Result<P
         let pins = pins.iter().map(|(own, _)| *own).collect::<Vec<_>>().join(", ");
         return Err(NoPivots::NoPin { pin: pin.clone(), module, pins });
     }
+    if let Some((_, (pin, _))) =
+        now.iter().enumerate().find(|(k, (pin, _))| now[..*k].iter().any(|(own, _)| own == pin))
+    {
+        return Err(NoPivots::Twice(pin.clone()));
+    }
     let missing = missing(pins, |name| located.has(name));
     if !missing.is_empty() {
         return Err(NoPivots::Missing(missing));
     }
     let pin = |&(name, sum): &(&'static str, &'static [(&'static str, f64)])| {
-        let now = now.iter().find(|(own, _)| own == name).map_or(0.0, |(_, value)| *value);
-        located.sum(sum.iter().copied()).map(|change| Pin { name, now, value: now + change.value, change, sum })
+        let now = now.iter().find(|(own, _)| own == name).map(|(_, value)| *value);
+        located.sum(sum.iter().copied()).map(|change| Pin { name, now, change, sum })
     };
     let used = |name: &str| pins.iter().any(|(_, sum)| sum.iter().any(|(own, _)| *own == name));
     let left = located.each().filter(|(name, _)| !used(name)).map(|(name, own)| (name.to_owned(), own));
@@ -109,6 +115,11 @@ pub fn pins(model: &Model, located: &Located, now: &[(String, f64)]) -> Result<P
 }
 
 impl Pin {
+    /// What it is to be, mm, if it is known what it is now.
+    pub fn value(&self) -> Option<f64> {
+        self.now.map(|now| now + self.change.value)
+    }
+
     /// `- EY0C = -215.81 +- 0.36 um`
     pub fn words(&self) -> String {
         let term = |(name, factor): &(&str, f64)| format!("{} {name}", if *factor < 0.0 { "-" } else { "+" });
@@ -122,8 +133,23 @@ impl Pins {
     pub fn text(&self, notes: &[String]) -> String {
         let mut text = comments("#", notes);
         for pin in &self.pins {
-            text += &format!("# {} {} (95 %)\n", decimal(pin.now, 6), pin.words());
-            text += &format!("setp {}.{} {}\n", self.module, pin.name, decimal(pin.value, 6));
+            text += &match (pin.now, pin.value()) {
+                (Some(now), Some(value)) => format!(
+                    "# {} {} (95 %)\nsetp {}.{} {}\n",
+                    decimal(now, 6),
+                    pin.words(),
+                    self.module,
+                    pin.name,
+                    decimal(value, 6)
+                ),
+                _ => format!(
+                    "# to be added to {}.{}, which was not given: {}, {} (95 %)\n",
+                    self.module,
+                    pin.name,
+                    decimal(pin.change.value, 6),
+                    pin.words()
+                ),
+            };
         }
         let left = self.left.iter().map(|(name, own)| format!("no pin for {name} = {}", own.words()));
         text + &comments("#", &left.collect::<Vec<_>>())

@@ -58,12 +58,11 @@ impl<'a> Located<'a> {
         self.errors.iter().any(|(own, _)| own == name)
     }
 
-    /// The sum of some, each times its factor, with what is common to their uncertainties; of those that were not found nothing is in it,
-    /// and there is none of no others.
+    /// The sum of some, each times its factor, with what is common to their uncertainties; none if one was not found, and of none.
     pub fn sum<'b>(&self, sum: impl IntoIterator<Item = (&'b str, f64)>) -> Option<Estimate> {
         let find = |name: &str| self.errors.iter().find(|(own, _)| own == name).map(|(_, seen)| *seen);
         let term = |(name, factor): (&str, f64)| Some(Term { factor, seen: find(name)?, at: 0.0 });
-        let terms: Vec<Term> = sum.into_iter().filter_map(term).collect();
+        let terms: Vec<Term> = sum.into_iter().map(term).collect::<Option<_>>()?;
         let quantity = self.setup.quantity(terms.first()?.seen.function());
         let combined = self.sources.sum(&terms).combined;
         Some(Estimate { quantity, value: self.sources.value(&terms), std: combined.std, u95: combined.expanded })

@@ -6,4 +6,4 @@ mod sinumerik;
 
 pub use linuxcnc::{NoPivots, Pin, Pins, pins};
 pub use located::{Estimate, Located};
-pub use sinumerik::{Chained, chain, text as chain_text};
+pub use sinumerik::{Added, Chained, chain, text as chain_text};
