@@ -207,7 +207,25 @@ fn offset_is_found_with_and_without_the_dependent_rotation() {
         } else {
             close(&report["spindle_angle_taken_as_it_is"]["offset_mm"], 0.2465, 0.0944, 1e-4);
         }
+        let met = report["touches"].as_array().unwrap();
+        assert!(
+            met.len() == 8 && met.iter().all(|touch| touch["deviation_um"].as_f64().unwrap().abs() < 1e-3),
+            "{met:?}"
+        );
+        assert_eq!(report["warnings"], serde_json::json!([]));
     }
+    // A touch that is 10 µm off is beyond a probe that is good to 0.125 µm, and within one that is good to 10 µm.
+    let mut lines: Vec<String> = touches(true).lines().map(str::to_owned).collect();
+    let (x, rest) = lines[1].split_once(',').unwrap();
+    lines[1] = format!("{},{rest}", x.parse::<f64>().unwrap() - 0.01);
+    let wrong = lines.join("\n");
+    let warned = |more: &[&str]| -> Value {
+        let report: Value = serde_json::from_str(&good(&[&["offset", "-"], more].concat(), &wrong)).unwrap();
+        report["warnings"].clone()
+    };
+    let said = warned(&[]);
+    assert!(said[0].as_str().is_some_and(|said| said.contains("stated to be good to 0.125 µm")), "{said}");
+    assert_eq!(warned(&["--repeatability", "20"]), serde_json::json!([]));
     bad(&["offset", "-"], "x_mm,y_mm,z_mm,spindle_deg\n1,2,3,0\n", "at least 5");
     // What is missing is not a line, but directions and the spindle's turn.
     let four =

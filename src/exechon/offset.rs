@@ -3,10 +3,13 @@
 use super::input::{InputError, TouchLine, touches};
 use super::{ALONG, rotation_at};
 use crate::data::Stamp;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::f64::consts::PI;
 use std::path::Path;
+use thiserror::Error;
+use trunnion_codegen::quantity::Unit;
 use trunnion_solver::exechon::Machine;
-use trunnion_solver::probe::{OffsetFit, Reversal, Touch, offset};
+use trunnion_solver::probe::{OffsetFit, Reversal, Touch, ball, offset};
 
 /// The ring and how well it and a touch are known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +39,40 @@ pub struct OffsetReport {
     pub spindle_alone: OffsetFit<f64>,
     /// E(8) and E(9), where the touches are the paper's.
     pub reversal: Option<ReversalReport>,
+    /// Each touch as it was met.
+    pub touches: Vec<Met>,
 }
+
+/// A touch beside the ring that fits all of them best.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Met {
+    /// How far the probe was turned from its orientation at home, s − φ, rad.
+    pub turned: f64,
+    /// Where the ball touched, from the ring's centre, rad.
+    pub angle: f64,
+    /// By how much the ball is farther out than the ring allows, mm: with the rotation, and with the spindle angle alone.
+    pub deviation: [f64; 2],
+}
+
+/// Touches scatter more than what is stated of the probe.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error(
+    "the touches scatter by {:.2} µm about the ring, where a touch is stated to be good to {:.3} µm (one standard deviation): the ± of \
+     what is stated is too small here; look for a wrong touch, a spindle angle in the other sense, or a ring that is not round or clean",
+    um(*residual_std),
+    um(*touch)
+)]
+pub struct Scattered {
+    /// Standard deviation of the residuals, mm.
+    pub residual_std: f64,
+    /// What is stated of a touch, mm.
+    pub touch: f64,
+}
+
+/// How often touches as good as stated scatter so much.
+const RARELY: f64 = 0.01;
+/// Offset, centre and radius.
+const UNKNOWNS: usize = 5;
 
 /// What something puts into a coordinate of an offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +92,15 @@ impl OffsetReport {
     pub fn uncertainty(&self) -> [f64; 2] {
         let covariance = &self.with_rotation.covariance;
         self.reversal.map_or_else(|| [0, 1].map(|k| covariance[(k, k)].sqrt()), |own| own.uncertainty)
+    }
+
+    /// Whether the touches scatter more, about the ring and with the rotation, than what is stated of one.
+    pub fn scattered(&self, gauge: &Gauge) -> Option<Scattered> {
+        let residual_std = self.with_rotation.residual_std?;
+        let free = self.touches.len().checked_sub(UNKNOWNS).filter(|free| *free > 0)? as f64;
+        let squares = free * (residual_std / gauge.touch).powi(2);
+        let by_chance = ChiSquared::new(free).ok()?.sf(squares);
+        (by_chance < RARELY).then_some(Scattered { residual_std, touch: gauge.touch })
     }
 
     /// What a touch and the ring's diameter put into each of both coordinates.
@@ -109,9 +154,27 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
     let with = |&(position, _, turned): &([f64; 2], f64, f64)| Touch { position, turned };
     let alone = |&(position, turned, _): &([f64; 2], f64, f64)| Touch { position, turned };
     let with_rotation: Vec<Touch<f64>> = touched.iter().map(with).collect();
+    let spindle_alone: Vec<Touch<f64>> = touched.iter().map(alone).collect();
     let reversal = reversal(&with_rotation, gauge);
-    let spindle_alone = touched.iter().map(alone).collect();
-    Ok((OffsetReport { with_rotation: fit(with_rotation)?, spindle_alone: fit(spindle_alone)?, reversal }, stamp))
+    let fits = [fit(with_rotation.clone())?, fit(spindle_alone.clone())?];
+    let met = |(with, alone): (&Touch<f64>, &Touch<f64>)| {
+        let [(angle, deviation), (_, of_alone)] = [(with, &fits[0]), (alone, &fits[1])].map(|(t, fit)| beside(t, fit));
+        Met { turned: with.turned, angle, deviation: [deviation, of_alone] }
+    };
+    let touches = with_rotation.iter().zip(&spindle_alone).map(met).collect();
+    let [with_rotation, spindle_alone] = fits;
+    Ok((OffsetReport { with_rotation, spindle_alone, reversal, touches }, stamp))
+}
+
+/// Where the ball touched, rad about the fitted centre, and how much farther out than the fitted circle, mm.
+fn beside(touch: &Touch<f64>, fit: &OffsetFit<f64>) -> (f64, f64) {
+    let [x, y] = ball(touch.position, touch.turned, fit.offset);
+    let (x, y) = (x - fit.centre[0], y - fit.centre[1]);
+    (y.atan2(x), x.hypot(y) - fit.radius)
+}
+
+fn um(mm: f64) -> f64 {
+    Unit::Um.from_inner(mm)
 }
 
 /// E(8) and E(9) where the touches are the paper's: both ways along x and y, then +x and +y with the spindle reversed.

@@ -1,6 +1,6 @@
 //! Pictures: the machine, the dependent rotation over the workspace, the quintic, the ring.
 
-use super::{ALONG, Compensation, PointError, RingReport, rotation_at};
+use super::{ALONG, Compensation, OffsetReport, PointError, RingReport, rotation_at};
 use crate::plot::{Chart, HeatMap, Label, Mark, Panel, PlotError, PolarChart, Rim, Scale, Series, Sketch, Tone};
 use std::f64::consts::TAU;
 use trunnion_codegen::quantity::Unit;
@@ -121,9 +121,28 @@ pub fn quintic_picture(machine: &Machine<f64>, quintic: &Compensation) -> Result
 /// # Errors
 /// [`PlotError`].
 pub fn ring_picture(reports: &[(&str, &RingReport)], title: &str) -> Result<String, PlotError> {
-    let series = reports.iter().zip([Tone::Vermilion, Tone::Blue, Tone::Green]).map(|((name, report), tone)| {
-        let mut points: Vec<_> =
-            report.deviations.iter().map(|(a, d)| (a.to_degrees(), Unit::Um.from_inner(*d))).collect();
+    let series = reports.iter().zip([Tone::Vermilion, Tone::Blue, Tone::Green]);
+    around(series.map(|((name, report), tone)| (*name, tone, report.deviations.as_slice())), title)
+}
+
+/// Radial deviations of the touches that an offset was found from, µm: with the dependent rotation, and with the spindle angle alone.
+///
+/// # Errors
+/// [`PlotError`].
+pub fn offset_picture(report: &OffsetReport, title: &str) -> Result<String, PlotError> {
+    let [with, alone] = [0, 1].map(|k| report.touches.iter().map(|t| (t.angle, t.deviation[k])).collect::<Vec<_>>());
+    let both =
+        [("with the rotation", Tone::Blue, with.as_slice()), ("spindle angle as it is", Tone::Vermilion, &alone)];
+    around(both.into_iter(), title)
+}
+
+/// Deviations (mm) at angles (rad) around a circle.
+fn around<'a>(
+    series: impl Iterator<Item = (&'a str, Tone, &'a [(f64, f64)])>,
+    title: &str,
+) -> Result<String, PlotError> {
+    let series = series.map(|(name, tone, deviations)| {
+        let mut points: Vec<_> = deviations.iter().map(|(a, d)| (a.to_degrees(), Unit::Um.from_inner(*d))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         line(name, tone, points)
     });

@@ -9,7 +9,7 @@ mod pictures;
 
 pub use pictures::picture_files;
 
-use crate::exechon::{RingReport, ring_picture};
+use crate::exechon::{OffsetReport, RingReport, offset_picture, ring_picture};
 use crate::plot::PlotError;
 use crate::study::{Report, Setup};
 use serde_json::{Value, json};
@@ -64,6 +64,6 @@ pub fn ring(document: &Value, report: &RingReport) -> Result<String, ReportError
 ///
 /// # Errors
 /// [`ReportError`]
-pub fn offset(document: &Value) -> Result<String, ReportError> {
-    Ok(page::rendered("offset.html", document, json!({}))?)
+pub fn offset(document: &Value, report: &OffsetReport) -> Result<String, ReportError> {
+    Ok(page::rendered("offset.html", document, json!({ "picture": offset_picture(report, "")? }))?)
 }

@@ -214,8 +214,14 @@ fn fit_takes_a_test_directly_where_nothing_has_to_be_stated() {
     let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let says = told["made"]["files"].as_array().unwrap().iter().find(|file| file["name"] == "tilting.b5r").unwrap();
     let says = says["says"].as_array().unwrap().iter().map(|line| (line["name"].as_str(), line["words"].as_str()));
-    for line in [("machine", "Mill 7"), ("operator", "Jörg"), ("instrument", "Renishaw QC20"), ("serial number", "A&B-1")] {
-        assert!(says.clone().any(|own| own == (Some(line.0), Some(line.1))), "{line:?}: {:?}", says.collect::<Vec<_>>());
+    for line in
+        [("machine", "Mill 7"), ("operator", "Jörg"), ("instrument", "Renishaw QC20"), ("serial number", "A&B-1")]
+    {
+        assert!(
+            says.clone().any(|own| own == (Some(line.0), Some(line.1))),
+            "{line:?}: {:?}",
+            says.collect::<Vec<_>>()
+        );
     }
     let page = fs::read_to_string(at.join("r.html")).unwrap();
     assert!(["Mill 7", "Jörg", "A&amp;B-1"].iter().all(|words| page.contains(words)), "{page}");

@@ -3,13 +3,13 @@
 use super::ExechonRefused;
 use super::arguments::{Which, read_files};
 use crate::commands::number;
-use crate::commands::output::print;
+use crate::commands::output::{print, say};
 use crate::commands::reported::ReportArguments;
 use clap::{ArgGroup, Args};
 use serde_json::json;
 use std::path::PathBuf;
 use trunnion::data::Unit;
-use trunnion::exechon::{Gauge, OffsetPart, OffsetReport, ReversalReport, offset_report};
+use trunnion::exechon::{Gauge, Met, OffsetPart, OffsetReport, ReversalReport, offset_report};
 use trunnion::report as page;
 use trunnion::study::{COVERAGE, coverage_factor};
 use trunnion_solver::probe::OffsetFit;
@@ -56,7 +56,7 @@ impl OffsetArguments {
         }
         let machine = self.which.read()?;
         let (found, stamp) = offset_report(&machine, &self.file, &gauge)?;
-        let OffsetReport { with_rotation, spindle_alone, reversal } = &found;
+        let OffsetReport { with_rotation, spindle_alone, reversal, touches } = &found;
         let factor = coverage_factor(None);
         let fit = |fit: &OffsetFit<f64>| {
             let std = [fit.covariance[(0, 0)].sqrt(), fit.covariance[(1, 1)].sqrt()];
@@ -79,6 +79,18 @@ impl OffsetArguments {
             })
         };
         let um = |mm: f64| Unit::Um.from_inner(mm);
+        let warnings: Vec<String> = found.scattered(&gauge).iter().map(ToString::to_string).collect();
+        for warning in &warnings {
+            say(format_args!("warning: {warning}"));
+        }
+        let touch = |met: &Met| {
+            json!({
+                "turned_deg": met.turned.to_degrees(),
+                "angle_deg": met.angle.to_degrees(),
+                "deviation_um": um(met.deviation[0]),
+                "spindle_alone_um": um(met.deviation[1]),
+            })
+        };
         let input = |(source, quantity, stated): (&str, &str, f64), part: &OffsetPart| {
             json!({
                 "source": source,
@@ -115,12 +127,20 @@ impl OffsetArguments {
             "with_dependent_rotation": fit(with_rotation),
             "spindle_angle_taken_as_it_is": fit(spindle_alone),
             "reversal": reversal.map(formulas),
+            "warnings": warnings,
+            "stated": {
+                "diameter_mm": self.diameter,
+                "accuracy_um": self.accuracy,
+                "stylus_mm": self.stylus,
+                "repeatability_um": self.repeatability,
+            },
+            "touches": touches.iter().map(touch).collect::<Vec<_>>(),
             "coverage": COVERAGE,
             "coverage_factor": factor,
             "budgets": budgets.map(budget).collect::<Vec<_>>(),
             "made": self.report.made(&read_files(&self.which, &self.file, stamp)),
         });
-        let html = self.report.is_wanted().then(|| page::offset(&report)).transpose()?;
+        let html = self.report.is_wanted().then(|| page::offset(&report, &found)).transpose()?;
         self.report.write(&self.report.guard(self.which.inputs().chain([self.file.as_path()])), html)?;
         Ok(print(&format!("{report:#}\n"))?)
     }
