@@ -130,3 +130,15 @@ fn base_parameters_take_no_name_of_the_model() {
     let names: Vec<&str> = derivation.base.iter().map(|b| b.name.as_str()).collect();
     assert_eq!(names[2..], ["k1", "k3", "k4", "k6", "k7", "k8", "k9", "k10", "k11", "k12", "k13"]);
 }
+
+#[test]
+fn what_the_order_names_may_be_assumed() {
+    let file = source("tilting-table-a").unwrap();
+    let (model, free) = read_and_derive(file).unwrap();
+    for name in model.order.iter().map(|text| &text.value) {
+        let (_, derived) = read_and_derive(&format!("{file}\n[assume]\n{name} = \"0\"\n")).unwrap();
+        assert!(
+            derived.parameters.iter().all(|p| p.name != *name) && derived.parameters.len() + 1 == free.parameters.len()
+        );
+    }
+}

@@ -58,7 +58,12 @@ impl PivotArguments {
         let sources = measured.sources(&fit, &observations);
         let located = Located::new(&measured.setup, &fit, &sources);
         if located.is_empty() {
-            return Err(Refused::NothingDetermined(String::from("location errors")));
+            let wanted = measured.setup.estimated().any(|f| model.functions[f].is_location());
+            return Err(if wanted {
+                Refused::NothingDetermined(String::from("location errors"))
+            } else {
+                Refused::NoLocations(model.name.clone())
+            });
         }
         let taken = match self.format {
             Takes::Linuxcnc => Taken::Linuxcnc(pins(model, &located, &pinned)?),

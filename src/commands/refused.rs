@@ -129,6 +129,10 @@ pub enum Refused {
     Which(String),
     #[error("{0}: none of them is determined\n  expected runs that determine one (`trunnion plan` looks for them)")]
     NothingDetermined(String),
+    #[error(
+        "model {0}: estimates no location errors\n  expected one that does, with `estimate = [\"EX0C\"]`, as those of `trunnion models` with a touch probe"
+    )]
+    NoLocations(String),
     #[error("{0}: its axis rests in all runs\n  expected a run in which it moves")]
     NeverMoves(String),
     #[error("--format {0}: {1} is {2}")]

@@ -21,6 +21,8 @@ pub fn project(planned: &Planned) -> String {
         let _ = writeln!(out, "{} = {}", key(&format!("{name}_mm")), setup.constant(name));
     }
     out += "\n# How large errors are at most: for what the runs do not tell.\n[limits]\n# length_um = 30\n# angle_urad = 100\n\n";
+    out += "# What is known of the errors beforehand, in the names that `trunnion derive` shows: the runs then determine more, and it is told\n\
+            # with the result.\n# [assume]\n# NAME = \"0\"\n\n";
     out += "# What the instrument's certificate says; without it no uncertainty has the instrument's part.\n[instrument]\n\
             # preset = \"QC20-W\"\n# constant_um = 0.7\n# proportional = 0.003\n# bar_length_um = 1\n\
             # temperature_k = 1\n# expansion_per_k = 1.2e-5\n\n";

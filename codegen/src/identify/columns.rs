@@ -63,7 +63,7 @@ pub(super) fn columns(model: &Model, readings: &TiSlice<RunId, Poly>) -> Result<
     let assumed = assume(&model.assumptions, &mut found, readings.len(), &model.alphabet)?;
     found = seen_of(found, &model.alphabet)?;
     let mut named: Vec<(Parameter, Column)> = found.into_iter().map(|c| (Parameter::new(model, c.origin), c)).collect();
-    sort(model, &mut named)?;
+    sort(model, &mut named, &assumed)?;
     let raw = readings.keys().map(|run| named.iter().map(|(_, column)| column.by_run[run].clone()).collect()).collect();
     let unseen = model.alphabet.errors().map(|(id, ..)| id).filter(|id| !seen.contains(id)).collect();
     Ok(Columns { parameters: named.into_iter().map(|(p, _)| p).collect(), raw, known, unseen, assumed })
@@ -90,9 +90,11 @@ fn put(found: &mut Vec<Column>, runs: usize, origin: Origin, run: RunId, coeffic
 }
 
 /// Coefficients of estimated functions first, so that what they are confounded with shows in their own definition; what moves with
-/// the feed last; then the declared order; then the order of the symbols.
-fn sort(model: &Model, found: &mut [(Parameter, Column)]) -> Result<(), DeriveError> {
-    if let Some(unknown) = model.order.iter().find(|text| found.iter().all(|(p, _)| p.name != text.value)) {
+/// the feed last; then the declared order; then the order of the symbols. What is assumed may stand in the declared order.
+fn sort(model: &Model, found: &mut [(Parameter, Column)], assumed: &[Assumed]) -> Result<(), DeriveError> {
+    let assumed: Vec<Parameter> = assumed.iter().map(|a| Parameter::new(model, a.origin)).collect();
+    let known = |name: &str| found.iter().map(|(p, _)| p).chain(&assumed).any(|p| p.name == name);
+    if let Some(unknown) = model.order.iter().find(|text| !known(&text.value)) {
         return Err(DeriveError::UnknownParameter(unknown.clone()));
     }
     found.sort_by_key(|(p, _)| {
