@@ -72,6 +72,7 @@ impl RingArguments {
         let deviations = report.deviations.iter();
         let deviations = deviations.map(|(at, mm)| json!({ "angle_deg": at.to_degrees(), "deviation_mm": mm }));
         json!({
+            "stated": { "stylus_mm": self.stylus, "offset_mm": self.offset, "repeats_within_deg": self.step_deg / 2.0 },
             "touches": report.deviations.len(),
             "least_squares": {
                 "centre_mm": fit.circle.centre,
