@@ -96,7 +96,7 @@ pub use systematic::{Contribution, Systematic, systematic};
 pub use told::Told;
 pub use trace::{Trace, TracePoint};
 pub use trunnion_solver::sized::LARGEST;
-pub use visited::{decimal, marks, visited};
+pub use visited::{decimal, in_unit, marks, visited};
 pub use warning::{WARN_CONDITION, Warning};
 pub use weigh::{MOST_WEIGHT, Weighed, WeightError, weigh};
 pub use weighed_down::WeighedDown;
