@@ -62,7 +62,7 @@ pub use arrays::{ArrayError, Arrays, Column, KnownColumn};
 pub use budget::{
     Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, Term, coverage_factor,
 };
-pub use by_direction::{ByDirection, Failing, NotByDirection, by_direction};
+pub use by_direction::{ByDirection, Failing, NotByDirection, Sided, by_direction};
 pub use covered::Covered;
 pub use curve::{Curve, CurvePoint};
 pub use draw::{Population, SimulatedMachine};
