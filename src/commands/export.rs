@@ -3,7 +3,7 @@
 use super::exported::{Exported, OneExported};
 use super::measured::{Measured, MeasuredArguments};
 use super::output::{print, say};
-use super::tabled::{Asked, Tabled};
+use super::tabled::{Asked, Location, Tabled};
 use super::{Refused, number, predicted};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -114,29 +114,30 @@ impl ExportArguments {
         let (tables, left_out) = asked.tables(&measured, &recorded, (&fit, &observations), &functions)?;
         let constants = match format {
             Format::One(_) => Vec::new(),
-            Format::All(_) => asked.constants(&measured.setup, &fit),
+            Format::All(_) => asked.constants(&measured.setup, &fit, &report),
         };
+        let plain: Vec<Constant> = constants.iter().map(Location::constant).collect();
         let mut told = Told {
             home: self.home,
             detection_unit: self.detection_unit.unwrap_or(Told::default().detection_unit),
             output: self.output_axis.clone(),
             notes: Vec::new(),
         };
-        let (_, kept) = written(format, &tables, &constants, &told)?;
+        let (_, kept) = written(format, &tables, &plain, &told)?;
         let facts = format.facts();
-        let one = |(own, kept)| OneExported::new(&measured.setup, &fit, &report, own, kept, &facts, self.home);
+        let one = |(own, kept)| OneExported::new(&measured.setup, (&fit, &report), own, kept, format, self.home);
         let exported = Exported {
             file: self.out.display().to_string(),
             format,
             facts,
             tables: tables.iter().zip(kept).map(one).collect(),
-            constants: constants.clone(),
+            constants,
             left_out,
             assumptions: measured.setup.model.assumptions.iter().map(|a| a.text.clone()).collect(),
         };
         // What is known of a table only once it is written stands in its file, too.
         told.notes = notes(&measured, &exported);
-        let (text, _) = written(format, &tables, &constants, &told)?;
+        let (text, _) = written(format, &tables, &plain, &told)?;
         self.warn(&report, &exported);
         let guard = Guard { inputs: measured.inputs().collect(), force: self.force };
         write_table(&self.out, &text, &guard)?;
@@ -162,6 +163,7 @@ impl ExportArguments {
             step_mm: self.step_mm,
             zero: self.zero_at_home.then_some(self.home),
             both: format.facts().both,
+            modulo: format.facts().ends.repeats(),
             demanded: self.both_directions,
         }
     }

@@ -1,11 +1,11 @@
 //! What is said of exported tables, as text and as one JSON object.
 
 use super::seen;
-use super::tabled::{LeftOut, Tabled};
+use super::tabled::{LeftOut, Location, Tabled};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use trunnion::export::{Constant, Facts, Format, Kept, Subject, Table, Verified, Warning, left, warnings};
-use trunnion::study::{COVERAGE, Fit, NotByDirection, Report, Setup, coverage_factor};
+use trunnion::export::{Facts, Format, Kept, Subject, Table, TakenOff, Verified, Warning, left, warnings};
+use trunnion::study::{COVERAGE, CurvePoint, Fit, NotByDirection, Report, Setup, coverage_factor, in_unit};
 
 /// A file that was written, and what is told of it.
 pub struct Exported<'a> {
@@ -17,8 +17,8 @@ pub struct Exported<'a> {
     pub facts: Facts,
     /// Its tables.
     pub tables: Vec<OneExported<'a>>,
-    /// Location errors, mm or rad.
-    pub constants: Vec<Constant>,
+    /// Location errors.
+    pub constants: Vec<Location>,
     /// Functions that are not determined.
     pub left_out: Vec<LeftOut>,
     /// What was assumed of the machine.
@@ -29,8 +29,10 @@ pub struct Exported<'a> {
 pub struct OneExported<'a> {
     table: &'a Table,
     kept: Kept,
-    /// The largest expanded uncertainty of the function, µm or µrad.
-    u95: f64,
+    /// The largest expanded uncertainty of what is written, forward and in reverse, µm or µrad.
+    u95: [f64; 2],
+    /// −1 where the values are the error's negative.
+    sense: f64,
     /// The hysteresis where it is largest: coordinate, forward less reverse, and the expanded uncertainty of that from noise, µm or
     /// µrad; or why the directions are not told apart.
     hysteresis: Result<[f64; 3], NotByDirection>,
@@ -48,17 +50,26 @@ impl<'a> OneExported<'a> {
     /// A table of which the control keeps `kept`, where the axis powers up at `home`, degrees or mm.
     pub fn new(
         setup: &Setup,
-        fit: &Fit,
-        report: &Report,
+        (fit, report): (&Fit, &Report),
         own: &'a Tabled,
         kept: Kept,
-        facts: &Facts,
+        format: Format,
         home: f64,
     ) -> Self {
+        let facts = format.facts();
         let Tabled { function, table, directions, offset } = own;
         let (along, unit) = (table.subject.along, table.subject.quantity.deviation());
         let points =
             report.functions.iter().filter(|curve| curve.function == *function).flat_map(|curve| &curve.points);
+        let u95 = |point: &CurvePoint| match directions {
+            Err(_) => [point.u95; 2],
+            Ok(by) => {
+                let others = unit.to_inner(point.other_std);
+                let own = by.uncertainty(setup, fit, along.to_inner(point.at), others);
+                let written = if table.both { [own.forward, own.reverse] } else { [own.mean; 2] };
+                written.map(|u95| unit.from_inner(u95))
+            }
+        };
         let hysteresis = directions.as_ref().map_err(|why| *why).map(|by| {
             let factor = coverage_factor(Some(by.degrees_of_freedom));
             let at = |at: f64| {
@@ -68,16 +79,16 @@ impl<'a> OneExported<'a> {
             let largest = table.grid.points().map(at).max_by(|a, b| a[1].abs().total_cmp(&b[1].abs()));
             largest.unwrap_or_default()
         });
-        let range =
-            setup.axis(*function).and_then(|axis| axis.range).map(|range| range.map(|end| along.from_inner(end)));
+        let range = setup.axis(*function).and_then(|axis| axis.range).map(|range| range.map(|end| in_unit(along, end)));
         Self {
             table,
-            u95: points.map(|point| point.u95).fold(0.0, f64::max),
+            u95: points.map(u95).fold([0.0; 2], |[a, b], [c, d]| [a.max(c), b.max(d)]),
+            sense: format.sense(&table.subject),
             hysteresis,
             most_rows: facts.rows,
             offset: unit.from_inner(*offset),
             left: unit.from_inner(left(table, &kept, facts.between, |at| own.error(setup, fit, at))),
-            warnings: warnings(table, facts, &kept, home, range),
+            warnings: warnings(table, &facts, &kept, home, range),
             kept,
         }
     }
@@ -101,12 +112,24 @@ impl<'a> OneExported<'a> {
         let most = self.most_rows.map_or(String::new(), |most| format!(" of at most {most}"));
         let grid_error =
             format!("at most {:.4} {unit} from the function to what the control makes of its table", self.left);
+        let within = match self.u95 {
+            [forward, reverse] if self.table.both => {
+                format!("± {forward:.3} {unit} forward and ± {reverse:.3} {unit} in reverse")
+            }
+            [u95, _] => format!("± {u95:.3} {unit}"),
+        };
         let mut lines = vec![
-            ("function", format!("{name} ({iso}) of axis {axis}, at most ± {:.3} {unit} (95 %)", self.u95)),
+            ("function", format!("{name} ({iso}) of axis {axis}, at most {within} (95 %)")),
             ("rows", format!("{}{most} from {} to {} {along} by {}", grid.rows(), grid.from(), grid.to(), grid.step())),
             ("directions", directions),
             ("grid error", grid_error),
         ];
+        if self.sense < 0.0 {
+            let by = if let TakenOff::Other(other, _) = &self.table.subject.taken_off { other } else { axis };
+            let words =
+                format!("values are −{iso}: {by}, moved further, does the opposite to the tool against the workpiece");
+            lines.push(("sign", words));
+        }
         if self.offset != 0.0 {
             lines.push((
                 "zero",
@@ -134,7 +157,10 @@ impl<'a> OneExported<'a> {
             "not_told_apart": self.hysteresis.as_ref().err().map(ToString::to_string),
             "hysteresis": hysteresis.map(|[at, by, u95]| json!({ "at": at, "value": by, "u95_noise": u95 })),
             "taken_off": self.offset,
-            "u95": self.u95,
+            "sign": self.sense,
+            "u95": self.u95[0].max(self.u95[1]),
+            "u95_forward": self.u95[0],
+            "u95_reverse": self.u95[1],
             "grid_error": self.left,
             "warnings": self.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
             "points": self.points(),
@@ -158,14 +184,16 @@ impl Exported<'_> {
     pub fn lines(&self) -> Vec<(&str, String)> {
         let facts = &self.facts;
         let tables = self.tables.iter().flat_map(OneExported::lines);
-        let constants = self.constants.iter().map(|(name, value)| (name.as_str(), format!("{value:.9} mm or rad")));
+        let constant =
+            |own: &'_ Location| format!("{:.9} {unit} ± {:.9} {unit} (95 %)", own.value, own.u95, unit = own.unit);
+        let constants = self.constants.iter().map(|own| (own.name.as_str(), constant(own)));
         let left_out = self.left_out.iter().map(|(name, words)| ("left out", format!("{name}, which is {words}")));
         let facts = [
             ("values", format!("{}; {}", facts.unit, facts.sign)),
             ("between rows", facts.between.words().to_owned()),
             ("beyond the ends", facts.ends.words().to_owned()),
             ("over a turn", facts.turn.to_owned()),
-            ("resolution", facts.resolution.to_owned()),
+            ("resolution", facts.resolution.words()),
             ("needs", facts.needs.to_owned()),
             ("verified", facts.verified.words().to_owned()),
             ("source", facts.source.to_owned()),
@@ -187,7 +215,10 @@ impl Exported<'_> {
     /// All of it, and every row.
     pub fn object(&self) -> Value {
         let facts = &self.facts;
-        let constants = self.constants.iter().map(|(name, value)| json!({ "name": name, "value": value }));
+        let constants = self
+            .constants
+            .iter()
+            .map(|own| json!({ "name": own.name, "value": own.value, "u95": own.u95, "unit": own.unit.suffix() }));
         let left_out = self.left_out.iter().map(|(name, extent)| json!({ "function": name, "extent": extent }));
         json!({
             "file": self.file,
@@ -199,7 +230,8 @@ impl Exported<'_> {
             "ends": facts.ends.words(),
             "turn": facts.turn,
             "most_rows": facts.rows,
-            "resolution": facts.resolution,
+            "resolution": facts.resolution.words(),
+            "resolution_of": facts.resolution.of(),
             "needs": facts.needs,
             "verified": facts.verified == Verified::Tried,
             "source": facts.source,

@@ -4,7 +4,7 @@ use super::Refused;
 use super::number;
 use super::pair::pair;
 use clap::Args;
-use trunnion::study::{ErrorLimits, Instrument, Setup};
+use trunnion::study::{ErrorLimits, Instrument, Setup, in_unit};
 use trunnion_codegen::model::{AxisKind, Draft, Model, StatedInstrument};
 use trunnion_codegen::quantity::{Quantity, Unit};
 
@@ -47,7 +47,7 @@ impl RangeArguments {
         for axis in model.axes() {
             let quantity = if axis.kind == AxisKind::Rotary { Quantity::Angle } else { Quantity::Length };
             let own = draft.axes.iter_mut().filter(|own| own.name.value == axis.name);
-            own.for_each(|own| own.range = axis.range.map(|range| range.map(|x| quantity.coordinate().from_inner(x))));
+            own.for_each(|own| own.range = axis.range.map(|range| range.map(|x| in_unit(quantity.coordinate(), x))));
         }
     }
 

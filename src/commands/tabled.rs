@@ -4,8 +4,10 @@ use super::Refused;
 use super::measured::Measured;
 use trunnion::data::{Recorded, Unit};
 use trunnion::export::{Constant, Grid, Subject, Table};
-use trunnion::study::{ByDirection, Covered, Failing, Fit, NotByDirection, Observation, Setup, by_direction};
-use trunnion_codegen::algebra::ErrorId;
+use trunnion::study::{
+    ByDirection, Covered, Curve, EstimatedCoefficient, Failing, Fit, NotByDirection, Observation, Report, Setup,
+    by_direction,
+};
 use trunnion_codegen::identify::{Extent, Origin};
 use trunnion_codegen::ids::{BaseId, FunctionId};
 
@@ -28,12 +30,32 @@ pub struct Asked<'a> {
     pub zero: Option<f64>,
     /// Whether the format has a place for both directions.
     pub both: bool,
+    /// Whether a whole turn of the format's tables is one of every turn, from 0°.
+    pub modulo: bool,
     /// Whether the directions have to be told apart.
     pub demanded: bool,
 }
 
 /// A function that is not determined: its name, and how far it is.
 pub type LeftOut = (String, String);
+
+/// A location error that is identified.
+pub struct Location {
+    /// `Y0A` of EY0A.
+    pub name: String,
+    /// mm or rad, as `unit` says.
+    pub value: f64,
+    /// Its expanded uncertainty.
+    pub u95: f64,
+    pub unit: Unit,
+}
+
+impl Location {
+    /// What is written of it.
+    pub fn constant(&self) -> Constant {
+        (self.name.clone(), self.value)
+    }
+}
 
 /// What tells the directions of a function apart.
 pub type Directions = Result<ByDirection, NotByDirection>;
@@ -184,12 +206,16 @@ impl Asked<'_> {
                 false => Err(not_measured(option, &format!("{from}:{to}"), covered, unit)),
             };
         }
-        let turn = covered.whole_turn.then_some(360.0);
-        let grid = Grid::within((low, turn.map_or(high, |turn| low + turn + step)), step)?;
-        Ok(match turn {
-            Some(turn) => Grid::new(grid.from(), grid.from() + turn, step)?,
-            None => grid,
-        })
+        let gap = unit.from_inner(covered.step);
+        if !covered.whole_turn {
+            // The end of a range is often a step behind the last sample: a row there, but none beyond.
+            let beyond = if gap < step { gap } else { 0.0 };
+            return Ok(Grid::within((low - beyond, high + beyond), step)?);
+        }
+        // A turn that was measured on the other side of 0 is where the axis goes, unless all turns are one.
+        let elsewhere = !self.modulo && low < -gap && high < 360.0 - gap;
+        let from = if elsewhere { (low / step).round() * step } else { 0.0 };
+        Ok(Grid::new(from, from + 360.0, step)?)
     }
 
     /// Tells the directions apart, where both were measured.
@@ -213,26 +239,27 @@ impl Asked<'_> {
     }
 
     /// The location errors that are identified, by their ISO 230-1 names without the E.
-    pub fn constants(&self, setup: &Setup, fit: &Fit) -> Vec<Constant> {
-        let constant = |(at, &base): (usize, &BaseId)| {
+    pub fn constants(&self, setup: &Setup, fit: &Fit, report: &Report) -> Vec<Location> {
+        let alone = |(estimate, &base): (&EstimatedCoefficient, &BaseId)| {
             let (parameter, factor) = setup.derivation.base[base].definition.first()?;
             let Origin::Constant(error) = setup.derivation.parameters[*parameter].origin else { return None };
-            let name = location(setup, error).filter(|_| setup.derivation.is_alone(base))?;
-            Some((name, fit.values[at] / setup.number(factor)))
+            let own = setup.number(factor);
+            setup.derivation.is_alone(base).then(|| (error, estimate.value / own, estimate.u95 / own.abs()))
         };
-        let mut constants: Vec<Constant> = fit.base.iter().enumerate().filter_map(constant).collect();
-        let estimated = setup.estimated().filter(|f| setup.model.functions[*f].is_location());
-        for function in estimated.filter(|f| determined(setup, fit, *f).is_ok()) {
-            let name = location(setup, setup.model.functions[function].error);
-            constants.extend(name.map(|name| (name, fit.function(setup, function, 0.0).0)));
-        }
-        constants
+        let of_its_own = |curve: &Curve| {
+            let point =
+                curve.points.first().filter(|_| curve.is_location && curve.told.extent == Extent::Determined)?;
+            let error = setup.model.functions[curve.function].error;
+            Some((error, curve.unit.to_inner(point.value), curve.unit.to_inner(point.u95)))
+        };
+        let constants = report.coefficients.iter().zip(&fit.base).filter_map(alone);
+        let functions = report.functions.iter().filter_map(of_its_own);
+        let named = |(error, value, u95)| {
+            let name = setup.model.iso_location(error)?.trim_start_matches('E').to_owned();
+            Some(Location { name, value, u95, unit: setup.model.alphabet.error_quantity(error).inner() })
+        };
+        constants.chain(functions).filter_map(named).collect()
     }
-}
-
-/// `Y0A` of the location error EY0A.
-fn location(setup: &Setup, error: ErrorId) -> Option<String> {
-    setup.model.iso_location(error).map(|iso| iso.trim_start_matches('E').to_owned())
 }
 
 fn estimates_locations(setup: &Setup) -> bool {

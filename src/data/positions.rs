@@ -7,13 +7,14 @@
 //! ```
 
 use super::limits::POSITIONS;
-use crate::study::{Measurement, OutOfRange, Setup, decimal};
+use crate::study::{Measurement, OutOfRange, Setup, in_unit};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use thiserror::Error;
 use toml::Spanned;
 use trunnion_codegen::model::key;
+use trunnion_codegen::quantity::Unit;
 
 /// Angles beyond this are none of a run, degrees.
 const MOST_DEG: f64 = 3600.0;
@@ -167,5 +168,5 @@ pub fn positions_text(comment: &str, measurements: &[Measurement], positions: &[
 
 /// As it was chosen, without what the conversions have added.
 pub fn degrees(sweep: f64) -> f64 {
-    decimal(sweep.to_degrees())
+    in_unit(Unit::Deg, sweep)
 }

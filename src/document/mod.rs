@@ -15,7 +15,7 @@ pub use prediction::prediction;
 use crate::data::{MachineAtHand, Unit};
 use crate::study::{
     Budget, COVERAGE, Contribution, Curve, CurvePoint, Detail, Histogram, Input, Instrument, Line, MachineErrors,
-    Report, Setup, Spread, Study, Told, Trace, TracePoint, coordinate,
+    Report, Setup, Spread, Study, Told, Trace, TracePoint, coordinate, in_unit,
 };
 use serde_json::{Map, Value, json};
 use trunnion_codegen::emit::equations::{self, Remaining};
@@ -56,13 +56,13 @@ pub fn report(setup: &Setup, report: &Report) -> Value {
             "run": run,
             "samples": down.samples,
             "scale_um": Unit::Um.from_inner(down.scale),
-            "most": down.most.iter().map(|(at, w)| json!({ "at_deg": at.to_degrees(), "weight": w })).collect::<Vec<_>>(),
+            "most": down.most.iter().map(|(at, w)| json!({ "at_deg": in_unit(Unit::Deg, *at), "weight": w })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "hysteresis": report.hysteresis.iter().map(|h| json!({
             "run": h.run,
             "samples": h.samples,
             "largest_um": Unit::Um.from_inner(h.largest),
-            "at_deg": h.at.to_degrees(),
+            "at_deg": in_unit(Unit::Deg, h.at),
             "mean_um": Unit::Um.from_inner(h.mean),
         })).collect::<Vec<_>>(),
         "condition": report.condition,
@@ -97,7 +97,7 @@ fn machine(setup: &Setup) -> Value {
             "kind": if axis.kind == AxisKind::Rotary { "rotary" } else { "linear" },
             "carries": carries,
             "unit": unit.suffix(),
-            "range": axis.range.map(|range| range.map(|end| unit.from_inner(end))),
+            "range": axis.range.map(|range| range.map(|end| in_unit(unit, end))),
         })
     };
     let axes = model.workpiece.iter().map(|a| axis(a, "workpiece")).chain(model.tool.iter().map(|a| axis(a, "tool")));

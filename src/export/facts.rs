@@ -22,7 +22,7 @@ pub struct Facts {
     /// Whether there is a place for the other direction.
     pub both: bool,
     /// The finest step of a value.
-    pub resolution: &'static str,
+    pub resolution: Resolution,
     /// What has to be set beside, if anything.
     pub needs: &'static str,
     /// What of this was tried on a control.
@@ -45,12 +45,25 @@ pub enum Between {
 pub enum Ends {
     /// It takes the value of the row at the end.
     Held,
-    /// As held, but for a table that is a whole turn, which begins again.
+    /// As held, but for a table that is a whole turn, from 0 to 360°, which begins again.
     HeldOrRepeated,
+    /// It is not documented, but for a table that is a whole turn, which begins again.
+    UnknownOrRepeated,
     /// It is not documented.
     Unknown,
     /// No control reads it.
     NoControl,
+}
+
+/// The finest step of a value, and whose it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Resolution {
+    /// The control's.
+    Control(&'static str),
+    /// The file's: the control's is not known.
+    File(&'static str),
+    /// The file's, which no control reads.
+    NoControl(&'static str),
 }
 
 /// What was tried on a control.
@@ -80,9 +93,31 @@ impl Ends {
         match self {
             Self::Held => "the value of the row at the end",
             Self::HeldOrRepeated => "the value of the row at the end; a whole turn begins again",
+            Self::UnknownOrRepeated => "not documented; a whole turn begins again",
             Self::Unknown => "not documented",
             Self::NoControl => "none",
         }
+    }
+
+    /// Whether a table that is a whole turn is one of every turn.
+    pub fn repeats(self) -> bool {
+        matches!(self, Self::HeldOrRepeated | Self::UnknownOrRepeated)
+    }
+}
+
+impl Resolution {
+    /// In words.
+    pub fn words(self) -> String {
+        match self {
+            Self::Control(step) => format!("{step}: the control's"),
+            Self::File(digit) => format!("{digit}, the file's last digit; the control's own is not known"),
+            Self::NoControl(digit) => format!("{digit}, the file's last digit"),
+        }
+    }
+
+    /// Whose it is, `control` or `file`.
+    pub fn of(self) -> &'static str {
+        if matches!(self, Self::Control(_)) { "control" } else { "file" }
     }
 }
 
@@ -107,7 +142,7 @@ const ENC_COMP: Facts = Facts {
     turn: "IS_MODULO = 1 where the table is a whole turn, else 0",
     rows: None,
     both: false,
-    resolution: "1e-9 of the unit, as written",
+    resolution: Resolution::File("1e-9 of the unit"),
     needs: "MD38000 at least the number of rows; MD32700 = 1 switches it on; the axis referenced",
     verified: Verified::Documented,
     source: "Siemens, Extended Functions, K3",
@@ -123,7 +158,7 @@ const ISO: Facts = Facts {
     turn: "not documented",
     rows: None,
     both: false,
-    resolution: "1e-12 mm or rad, as written",
+    resolution: Resolution::File("1e-12 mm or rad"),
     needs: "the tool's position is compensated, not its orientation",
     verified: Verified::Documented,
     source: "ISG and Beckhoff, volumetric compensation",
@@ -139,7 +174,7 @@ const PLAIN: Facts = Facts {
     turn: "as written",
     rows: None,
     both: true,
-    resolution: "1e-6 µm or µrad, as written",
+    resolution: Resolution::NoControl("1e-6 µm or µrad"),
     needs: "",
     verified: Verified::NoControl,
     source: "docs/export.md",
@@ -158,7 +193,7 @@ impl Format {
                 turn: "no modulo",
                 rows: Some(256),
                 both: true,
-                resolution: "single precision of nominal − position",
+                resolution: Resolution::Control("single precision of nominal − position"),
                 needs: "[JOINT_n] COMP_FILE and COMP_FILE_TYPE = 0; BACKLASH has no effect beside it",
                 verified: Verified::Tried,
                 source: "LinuxCNC 2.9, its source",
@@ -172,7 +207,7 @@ impl Format {
             },
             Self::One(OneFormat::Cec) => Facts {
                 what: "sag and angularity compensation, $AN_CEC: one table, or one for each direction",
-                sign: "value = error in the direction of the output axis, measured - commanded",
+                sign: "value = error as one of the output axis' position, measured - commanded: the opposite where one carries the workpiece and the other the tool",
                 both: true,
                 needs: "MD18342 at least the number of rows; MD32710 = 1 and SD41300 switch it on",
                 ..ENC_COMP
@@ -186,7 +221,7 @@ impl Format {
                 turn: "not documented",
                 rows: None,
                 both: true,
-                resolution: "1e-6 of the unit, as written",
+                resolution: Resolution::File("1e-6 of the unit"),
                 needs: "AXISPOS is against the machine datum; the .CMA file, or COMPTAB of the kinematics, names the file",
                 verified: Verified::Documented,
                 source: "Heidenhain, technical manuals iTNC 530 HSCI and MANUALplus 620",
@@ -196,11 +231,11 @@ impl Format {
                 unit: "detection units times parameter 3623",
                 sign: "increments of −error from one point to the next, 0 at the reference position: NOT VERIFIED",
                 between: Between::Somewhere,
-                ends: Ends::Unknown,
+                ends: Ends::UnknownOrRepeated,
                 turn: "parameter 3625; the increments of a turn have the sum 0",
                 rows: Some(128),
                 both: true,
-                resolution: "the detection unit times parameter 3623",
+                resolution: Resolution::Control("the detection unit times parameter 3623"),
                 needs: "parameters 3620 to 3625, as in the list; power off and on, reference return",
                 verified: Verified::Documented,
                 source: "Fanuc, B-63980EN p. 100, A-77810E; the number of rows from others",

@@ -47,7 +47,7 @@ fn order(table: &Table, reference: usize) -> Vec<usize> {
 pub(super) fn write(table: &Table, home: f64, unit: f64, notes: &[String]) -> Result<Written, Wrong> {
     let sense = table.own().ok_or(Wrong::NotOwn)?;
     let (grid, turn) = (&table.grid, table.is_a_turn());
-    let place = (home - grid.from()) / grid.step();
+    let place = (table.within_its_turn(home) - grid.from()) / grid.step();
     let row = place.round();
     if (place - row).abs() > SLACK || row < 0.0 || row >= grid.rows() as f64 {
         return Err(Wrong::Reference);

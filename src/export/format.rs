@@ -1,5 +1,7 @@
 //! The formats: which there are, and what each is called.
 
+use super::table::{Subject, TakenOff};
+
 /// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
@@ -53,6 +55,15 @@ impl Format {
         Self::One(OneFormat::Csv),
         Self::One(OneFormat::Json),
     ];
+
+    /// −1 where its values are of an axis' position that, further along, does the opposite of the error; else 1.
+    pub fn sense(self, subject: &Subject) -> f64 {
+        match (self, &subject.taken_off) {
+            (Self::All(_) | Self::One(OneFormat::Csv | OneFormat::Json), _) => 1.0,
+            (Self::One(OneFormat::Heidenhain), TakenOff::Other(..)) | (_, TakenOff::None) => 1.0,
+            (_, TakenOff::Own(sense) | TakenOff::Other(_, sense)) => *sense,
+        }
+    }
 
     /// Its name as an option has it.
     pub fn name(self) -> &'static str {

@@ -18,7 +18,7 @@ mod table;
 mod warning;
 mod written;
 
-pub use facts::{Between, Ends, Facts, Verified};
+pub use facts::{Between, Ends, Facts, Resolution, Verified};
 pub use format::{AllFormat, Format, OneFormat};
 pub use grid::{Grid, GridError};
 pub use iso::Constant;
@@ -62,10 +62,15 @@ pub enum NoPlace {
     )]
     NoAxis,
     /// The reference position is no row.
-    #[error("a list that begins at the reference position\n  expected a range and a step with a row at --home")]
+    #[error(
+        "tabulated without a row at the reference position, where a list of increments begins\n  expected a range and a step with a row at \
+         --home"
+    )]
     NoReference,
     /// Increments larger than can be entered.
-    #[error("increments larger than can be entered\n  expected a smaller step, or a larger --detection-unit")]
+    #[error(
+        "so steep that its increments are larger than can be entered\n  expected a smaller step, or a larger --detection-unit"
+    )]
     TooSteep,
 }
 

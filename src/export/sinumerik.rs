@@ -26,7 +26,8 @@ pub(super) fn encoder(table: &Table, notes: &[String]) -> Option<Written> {
 }
 
 /// Sag and angularity compensation, from the axis to itself or to the one along which the error is: one table, or one for each
-/// direction; `None` of a function that no axis takes off.
+/// direction. A value is the error as one of the output axis' position: an error that displaces the workpiece is the opposite one of an
+/// axis that carries the tool. `None` of a function that no axis takes off.
 pub(super) fn cross(table: &Table, output: Option<&str>, notes: &[String]) -> Option<Written> {
     let input = &table.subject.axis;
     let (axis, sense) = match &table.subject.taken_off {

@@ -8,6 +8,9 @@ use trunnion_codegen::ids::FunctionId;
 use trunnion_codegen::model::{Axis, AxisKind, Component, iso_motion};
 use trunnion_codegen::quantity::{Quantity, Unit};
 
+/// A turn, degrees.
+pub(super) const TURN: f64 = 360.0;
+
 /// A motion error as a function of its axis' coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subject {
@@ -148,7 +151,13 @@ impl Table {
     /// Whether it goes over a whole turn, once.
     pub(super) fn is_a_turn(&self) -> bool {
         let over = self.grid.to() - self.grid.from();
-        self.subject.along == Unit::Deg && (over - 360.0).abs() < 1e-6
+        self.subject.along == Unit::Deg && (over - TURN).abs() < 1e-6
+    }
+
+    /// A coordinate in degrees or mm where a control that repeats a whole turn looks it up.
+    pub(super) fn within_its_turn(&self, at: f64) -> f64 {
+        let from = self.grid.from();
+        if self.is_a_turn() { from + (at - from).rem_euclid(TURN) } else { at }
     }
 
     /// Coordinates with both errors there.

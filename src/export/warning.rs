@@ -1,23 +1,31 @@
 //! What fails on a control, or surprises there.
 
+use super::digits::decimal;
 use super::facts::{Ends, Facts};
-use super::table::Table;
+use super::table::{TURN, Table};
 use super::written::Kept;
 use std::fmt;
 use trunnion_codegen::quantity::Unit;
 
-/// A turn, degrees.
-const TURN: f64 = 360.0;
-/// Values that are none, mm or rad: less than any control moves by.
-const NONE: f64 = 1e-10;
+/// Digits of values behind the point, µm or µrad: what they do not show is none, as no control moves by less.
+const DIGITS: usize = 3;
+/// The smallest value that they show.
+const NONE: f64 = 0.5e-3;
 
 /// What to be wary of.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
     /// More rows than the control takes: rows, and how many it takes.
     Rows(usize, usize),
-    /// The axis moves when the table becomes active: where it powers up, the values there in µm or µrad, their unit.
-    NotZero(f64, [f64; 2], &'static str),
+    /// The axis moves when the table becomes active: where it powers up, the values there in µm or µrad.
+    NotZero {
+        /// Where it powers up.
+        at: f64,
+        /// The error there forward and in reverse.
+        values: [f64; 2],
+        /// Degrees or mm, µm or µrad.
+        units: [Unit; 2],
+    },
     /// The axis can be commanded beyond the table.
     Ends {
         /// The table's first and last coordinate.
@@ -31,6 +39,8 @@ pub enum Warning {
     },
     /// More than a turn in a table.
     MoreThanATurn,
+    /// A whole turn from here to there, where the control's is from 0 to 360°.
+    AnotherTurn(f64, f64),
     /// A whole turn, whose ends differ by so much, in µm or µrad.
     Jump(f64, &'static str),
 }
@@ -41,11 +51,15 @@ impl fmt::Display for Warning {
             Self::Rows(rows, most) => {
                 write!(f, "{rows} rows, where the control takes {most} and drops the others: choose a larger step")
             }
-            Self::NotZero(at, [more, less], unit) => write!(
-                f,
-                "the axis moves when the table becomes active: at {at}, where it powers up, the error is {more:.3} {unit} forward \
-                 and {less:.3} {unit} in reverse, not 0"
-            ),
+            Self::NotZero { at, values, units: [along, unit] } => {
+                let [more, less] = values.map(|value| decimal(value, DIGITS));
+                let (along, unit) = (along.symbol(), unit.symbol());
+                write!(
+                    f,
+                    "the axis moves when the table becomes active: at {at} {along}, where it powers up, the error is {more} {unit} \
+                     forward and {less} {unit} in reverse, not 0"
+                )
+            }
             Self::Ends { table: [from, to], axis, does, unit } => {
                 let does = does.words();
                 write!(
@@ -63,6 +77,11 @@ impl fmt::Display for Warning {
             Self::MoreThanATurn => f.write_str(
                 "the table goes over more than a turn: a control that counts modulo 360° reads a turn of it",
             ),
+            Self::AnotherTurn(from, to) => write!(
+                f,
+                "the table is a whole turn from {from} to {to} °, where this control's manuals have one from 0 to 360 °, as an axis \
+                 counts modulo 360°: choose --range-deg 0:360"
+            ),
             Self::Jump(by, unit) => write!(f, "over a turn the table jumps by {by:.3} {unit} where it begins again"),
         }
     }
@@ -79,14 +98,15 @@ pub fn warnings(table: &Table, facts: &Facts, kept: &Kept, home: f64, range: Opt
         warnings.push(Warning::Rows(grid.rows(), most));
     }
     let last = grid.rows() - 1;
-    let place = ((home - from) / grid.step()).clamp(0.0, last as f64);
-    let there = kept.each_ref().map(|kept| {
+    let looked_up = if facts.ends.repeats() { table.within_its_turn(home) } else { home };
+    let place = ((looked_up - from) / grid.step()).clamp(0.0, last as f64);
+    let values = kept.each_ref().map(|kept| {
         let (row, share) = (place.floor() as usize, place.fract());
         let value = |row: usize| kept.get(row.min(last)).copied().unwrap_or(0.0);
-        value(row) + share * (value(row + 1) - value(row))
+        shown(value(row) + share * (value(row + 1) - value(row)))
     });
-    if there.iter().any(|value| value.abs() > NONE) {
-        warnings.push(Warning::NotZero(home, there.map(shown), deviation.symbol()));
+    if values.iter().any(|value| value.abs() >= NONE) {
+        warnings.push(Warning::NotZero { at: home, values, units: [table.subject.along, deviation] });
     }
     let turns = table.subject.along == Unit::Deg;
     let slack = 1e-6 * grid.step();
@@ -94,18 +114,20 @@ pub fn warnings(table: &Table, facts: &Facts, kept: &Kept, home: f64, range: Opt
     if turns && to - from > TURN + slack {
         warnings.push(Warning::MoreThanATurn);
     }
+    if facts.ends == Ends::HeldOrRepeated && table.is_a_turn() && from != 0.0 {
+        warnings.push(Warning::AnotherTurn(from, to));
+    }
     let goes_on = match facts.ends {
-        Ends::Held | Ends::Unknown => true,
-        Ends::HeldOrRepeated => !table.is_a_turn(),
         Ends::NoControl => false,
+        ends => !(ends.repeats() && table.is_a_turn()),
     };
     if goes_on && beyond && (range.is_some() || turns) {
         let unit = table.subject.along;
         warnings.push(Warning::Ends { table: [from, to], axis: range, does: facts.ends, unit });
     }
-    let jump = kept.iter().map(|kept| (kept[last] - kept[0]).abs()).fold(0.0, f64::max);
-    if table.is_a_turn() && jump > NONE {
-        warnings.push(Warning::Jump(shown(jump), deviation.symbol()));
+    let jump = shown(kept.iter().map(|kept| (kept[last] - kept[0]).abs()).fold(0.0, f64::max));
+    if table.is_a_turn() && jump >= NONE {
+        warnings.push(Warning::Jump(jump, deviation.symbol()));
     }
     warnings
 }

@@ -2,7 +2,7 @@
 
 use super::Planned;
 use crate::data::positions_text;
-use crate::study::{Measurement, coordinate, decimal};
+use crate::study::{Measurement, coordinate, in_unit};
 use std::fmt::Write;
 use trunnion_codegen::model::{Axis, key, string};
 
@@ -60,7 +60,7 @@ pub fn project(planned: &Planned) -> String {
 fn range(axis: &Axis) -> String {
     let unit = coordinate(axis).coordinate();
     let (mark, [low, high]) = match axis.range {
-        Some(range) => ("", range.map(|end| decimal(unit.from_inner(end)))),
+        Some(range) => ("", range.map(|end| in_unit(unit, end))),
         None if unit.suffix() == "deg" => ("# ", [-30.0, 120.0]),
         None => ("# ", [-250.0, 250.0]),
     };

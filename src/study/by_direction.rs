@@ -9,14 +9,17 @@
 //! with the functions φ of the basis of f. Nothing else turns with the direction but what the runs' `nuisance` names: balls and bar
 //! were not touched between the directions.
 
+use super::budget::{COVERAGE, Combined, Contribution, combine};
 use super::fill::places;
 use super::fit::{Fit, Sample};
+use super::misfit::Looking;
 use super::problem::columns;
 use super::recording::Recording;
 use super::rows::{Rows, Taken, blocks};
 use super::setup::Setup;
 use super::warning::WARN_CONDITION;
 use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeMap;
 use thiserror::Error;
 use trunnion_codegen::algebra::ErrorId;
 use trunnion_codegen::graph::{LANES, Lanes};
@@ -26,6 +29,8 @@ use trunnion_solver::sized::{self, Block, Column, ROWS};
 
 /// Of the coordinates that were visited, the share that either direction has to go over.
 const SHARE: f64 = 0.9;
+/// Coordinates this near are one, mm or rad.
+const SAME: f64 = 1e-9;
 /// Half the step of a derivative with respect to an error, mm or rad, and to a sweep, rad.
 const STEP: f64 = 1e-4;
 
@@ -35,9 +40,21 @@ pub struct ByDirection {
     function: FunctionId,
     /// Base parameters in the order of the fit, then h₀ and each hⱼ.
     values: DVector<f64>,
+    /// From the scatter about both directions, so many readings standing for an independent one as are alike.
     covariance: DMatrix<f64>,
     /// Degrees of freedom of that.
     pub degrees_of_freedom: u32,
+}
+
+/// The expanded uncertainty of a function's value, 95 %, mm or rad.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sided {
+    /// Where the axis' coordinate increases.
+    pub forward: f64,
+    /// Where it decreases.
+    pub reverse: f64,
+    /// Of the mean of both.
+    pub mean: f64,
 }
 
 /// Why the directions are not told apart.
@@ -118,6 +135,88 @@ impl Turning<'_> {
     }
 }
 
+/// From rows of a run to columns of the problem.
+struct Filling<'a> {
+    turning: Turning<'a>,
+    /// Where the axis turns round, if it moves.
+    ends: Option<(f64, f64)>,
+    /// Where each regressor is in the block, and each of the hysteresis' functions.
+    places: Vec<Option<usize>>,
+    halves: Vec<Option<usize>>,
+    block: Vec<Column<f64>>,
+    y: Column<f64>,
+    /// The sweep before.
+    last: Option<f64>,
+}
+
+impl Filling<'_> {
+    /// Fills the block with the samples whose side is known, and gives their number.
+    fn fill(&mut self, rows: &Rows) -> usize {
+        let kept = self.known(rows.taken());
+        let Self { block, y, .. } = self;
+        block.iter_mut().for_each(|column| column.fill(0.0));
+        let take = |into: &mut Column<f64>, values: &Lanes| {
+            into.iter_mut().zip(&kept).for_each(|(into, lane)| *into = values[*lane]);
+        };
+        let mut put = |at: &Option<usize>, values: &Lanes| {
+            if let Some(at) = at {
+                take(&mut block[*at], values);
+            }
+        };
+        rows.regressors().zip(&self.places).for_each(|(values, at)| put(at, values));
+        if self.ends.is_some() {
+            let columns = self.turning.columns(rows, self.halves.len());
+            columns.iter().zip(&self.halves).for_each(|(values, at)| put(at, values));
+        }
+        y.fill(0.0);
+        take(y, &rows.explained());
+        kept.len()
+    }
+
+    /// The samples whose side is known: not those where the axis turns round, which without having moved may be of either.
+    fn known(&mut self, taken: &[Taken]) -> Vec<usize> {
+        let Some((low, high)) = self.ends else { return (0..taken.len()).collect() };
+        let mut is_known = |(t, (x, side)): (&Taken, (f64, f64))| {
+            let rests = self.last.replace(t.sweep) == Some(t.sweep);
+            let at_an_end = x - low < SAME || high - x < SAME;
+            side != 0.0 && !(rests && at_an_end)
+        };
+        let known: Vec<bool> = taken.iter().zip(self.turning.sides(taken)).map(&mut is_known).collect();
+        (0..taken.len()).filter(|lane| known[*lane]).collect()
+    }
+}
+
+/// First and last coordinate that either direction reaches.
+type Reached = [(f64, f64); 2];
+
+fn reached<R: Recording>(
+    setup: &Setup,
+    recordings: &[R],
+    function: FunctionId,
+    axis: AxisId,
+) -> Result<Reached, R::Error> {
+    let mut reached = [(f64::INFINITY, f64::NEG_INFINITY); 2];
+    for recording in recordings.iter().filter(|own| moves(setup, own.run(), axis)) {
+        let turning = Turning { setup, run: recording.run(), function, axis };
+        blocks(
+            setup,
+            recording,
+            |_: &Sample| {},
+            |rows| {
+                for (x, side) in turning.sides(rows.taken()).into_iter().filter(|(_, side)| *side != 0.0) {
+                    let (low, high) = &mut reached[usize::from(side < 0.0)];
+                    (*low, *high) = (low.min(x), high.max(x));
+                }
+            },
+        )?;
+    }
+    Ok(reached)
+}
+
+fn moves(setup: &Setup, run: RunId, axis: AxisId) -> bool {
+    setup.model.runs[run].at[axis].poly().is_some()
+}
+
 /// Fits a function's hysteresis beside all that `fit`, of the same recordings, has.
 ///
 /// # Errors
@@ -132,6 +231,12 @@ pub fn by_direction<R: Recording>(
         return Err(NotByDirection::Robust.into());
     }
     let (axis, _) = setup.model.axis_of(setup.model.functions[function].error).ok_or(NotByDirection::OneDirection)?;
+    let reached = reached(setup, recordings, function, axis).map_err(Failing::Recording)?;
+    let length = |(low, high): (f64, f64)| high - low;
+    let ends = (reached[0].0.min(reached[1].0), reached[0].1.max(reached[1].1));
+    if !reached.iter().all(|own| length(*own) >= SHARE * length(ends) && length(ends) > 0.0) {
+        return Err(NotByDirection::OneDirection.into());
+    }
     let own = setup.basis(function, 0.0).len() + 1;
     let known = fit.base.len();
     let runs: Vec<RunId> = recordings.iter().map(Recording::run).collect();
@@ -140,50 +245,54 @@ pub fn by_direction<R: Recording>(
     let added = if of.own.is_empty() { &mut of.first } else { &mut of.own };
     added.extend(known..known + own);
     let mut problem = sized::estimator(&of).ok_or(NotByDirection::Confounded)?;
-    let mut reached = [(f64::INFINITY, f64::NEG_INFINITY); 2];
     let mut refused = false;
+    let filling = |run: RunId, order: &[usize]| {
+        let half = |column| order.iter().position(|at| *at == column);
+        Filling {
+            turning: Turning { setup, run, function, axis },
+            ends: moves(setup, run, axis).then_some(ends),
+            places: places(setup, run, &fit.base, order),
+            halves: (known..known + own).map(half).collect(),
+            block: vec![[0.0; ROWS]; order.len()],
+            y: [0.0; ROWS],
+            last: None,
+        }
+    };
     for (recording, &step) in recordings.iter().zip(&fit.steps) {
-        let order = of.of(step);
-        let turning = Turning { setup, run: recording.run(), function, axis };
-        let moves = setup.model.runs[turning.run].at[axis].poly().is_some();
-        let places = places(setup, turning.run, &fit.base, &order);
-        let halves: Vec<Option<usize>> =
-            (known..known + own).map(|column| order.iter().position(|at| *at == column)).collect();
-        let mut block: Vec<Column<f64>> = vec![[0.0; ROWS]; order.len()];
+        let mut filling = filling(recording.run(), &of.of(step));
         let take = |rows: &Rows| {
-            let samples = rows.samples();
-            block.iter_mut().for_each(|column| column.fill(0.0));
-            let mut put = |at: &Option<usize>, values: &Lanes| {
-                if let Some(at) = at {
-                    block[*at][..samples].copy_from_slice(&values[..samples]);
-                }
-            };
-            rows.regressors().zip(&places).for_each(|(values, at)| put(at, values));
-            if moves {
-                turning.columns(rows, own).iter().zip(&halves).for_each(|(values, at)| put(at, values));
-                for (x, side) in turning.sides(rows.taken()).into_iter().filter(|(_, side)| *side != 0.0) {
-                    let (low, high) = &mut reached[usize::from(side < 0.0)];
-                    (*low, *high) = (low.min(x), high.max(x));
-                }
-            }
-            let mut y = [0.0; ROWS];
-            y[..samples].copy_from_slice(&rows.explained()[..samples]);
-            let pushed = Block { columns: &mut block, y: &mut y };
+            let samples = filling.fill(rows);
+            let pushed = Block { columns: &mut filling.block, y: &mut filling.y };
             refused |= problem.push(step, pushed, samples, recording.weight()).is_err();
         };
         blocks(setup, recording, |_: &Sample| {}, take).map_err(Failing::Recording)?;
-    }
-    let length = |(low, high): (f64, f64)| high - low;
-    let all = (reached[0].0.min(reached[1].0), reached[0].1.max(reached[1].1));
-    if !reached.iter().all(|own| length(*own) >= SHARE * length(all) && length(all) > 0.0) {
-        return Err(NotByDirection::OneDirection.into());
     }
     let solved = problem.solve(None).map_err(|_| NotByDirection::Confounded)?;
     if refused || solved.condition.0 > WARN_CONDITION.max(3.0 * fit.separation.condition) {
         return Err(NotByDirection::Confounded.into());
     }
-    let (values, covariance) = (solved.coefficients, solved.covariance);
-    Ok(ByDirection { function, values, covariance, degrees_of_freedom: solved.degrees_of_freedom })
+    // The residuals of a run one after the other, in one recording or in several.
+    let mut residuals: BTreeMap<RunId, Looking> = BTreeMap::new();
+    for (recording, &step) in recordings.iter().zip(&fit.steps) {
+        let order = of.of(step);
+        let mut filling = filling(recording.run(), &order);
+        let looking = residuals.entry(recording.run()).or_default();
+        let look = |rows: &Rows| {
+            for row in 0..filling.fill(rows) {
+                let explained =
+                    filling.block.iter().zip(&order).map(|(column, at)| column[row] * solved.coefficients[*at]);
+                looking.add(filling.y[row] - explained.sum::<f64>());
+            }
+        };
+        blocks(setup, recording, |_: &Sample| {}, look).map_err(Failing::Recording)?;
+    }
+    let alike = residuals.values().map(|looking| looking.look().alike()).fold(1.0, f64::max);
+    Ok(ByDirection {
+        function,
+        values: solved.coefficients,
+        covariance: solved.covariance * alike,
+        degrees_of_freedom: (f64::from(solved.degrees_of_freedom) / alike).max(1.0) as u32,
+    })
 }
 
 impl ByDirection {
@@ -200,6 +309,23 @@ impl ByDirection {
         let functional = self.functional(setup, fit.base.len(), x);
         let variance = (&self.covariance * &functional).dot(&functional);
         [2.0 * functional.dot(&self.values), 2.0 * variance.max(0.0).sqrt()]
+    }
+
+    /// The uncertainty of the function at a coordinate (mm or rad): the scatter of the readings about both directions, and the
+    /// standard uncertainty from all `others`, the same for both.
+    pub fn uncertainty(&self, setup: &Setup, fit: &Fit, x: f64, others: f64) -> Sided {
+        let known = fit.base.len();
+        let half = self.functional(setup, known, x);
+        let mut mean = DVector::zeros(half.len());
+        mean.rows_mut(0, known).copy_from(&fit.functional(setup, self.function, x));
+        let of = |functional: &DVector<f64>| {
+            let std = (&self.covariance * functional).dot(functional).max(0.0).sqrt();
+            let scatter = Contribution { std, degrees_of_freedom: Some(self.degrees_of_freedom) };
+            let Combined { expanded, .. } =
+                combine([scatter, Contribution { std: others, degrees_of_freedom: None }], COVERAGE);
+            expanded
+        };
+        Sided { forward: of(&(&mean + &half)), reverse: of(&(&mean - &half)), mean: of(&mean) }
     }
 
     /// (1, φ₁, …) behind zeros for the base parameters.

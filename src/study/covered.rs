@@ -6,18 +6,19 @@ use std::f64::consts::TAU;
 use trunnion_codegen::ids::FunctionId;
 use trunnion_codegen::model::AxisKind;
 
-/// Of the coordinates that were visited, the most that is taken as the step between samples.
+/// Of the coordinates that were visited, the most that is taken as a gap between samples.
 const SHARE: f64 = 0.05;
 
-/// Coordinates between which an axis was measured, mm or rad: from a step of the samples before the first one to a step
-/// behind the last, and as many turns on as the function repeats.
+/// Coordinates between which an axis was measured, mm or rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Covered {
     /// The lowest.
     pub low: f64,
     /// The highest.
     pub high: f64,
-    /// Whether they are a whole turn of a function that repeats over each.
+    /// The largest gap between two neighbours: so much beyond either end counts as measured, too.
+    pub step: f64,
+    /// Whether they, with that, are a whole turn of a function that repeats over each: then all turns are measured.
     pub whole_turn: bool,
 }
 
@@ -29,22 +30,20 @@ impl Covered {
             let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
             setup.coordinates(o.run, axis, &sweeps)
         });
-        let (mut low, mut high, mut step) = (f64::INFINITY, f64::NEG_INFINITY, 0.0f64);
-        for way in ways.filter(|way| way.len() > 1) {
-            let moved: f64 = way.windows(2).map(|two| (two[1] - two[0]).abs()).sum();
-            step = step.max(moved / (way.len() - 1) as f64);
-            (low, high) = way.iter().fold((low, high), |(low, high), &x| (low.min(x), high.max(x)));
-        }
-        let step = step.min(SHARE * (high - low));
+        let mut visited: Vec<f64> = ways.filter(|way| way.len() > 1).flatten().collect();
+        visited.sort_by(f64::total_cmp);
+        let (low, high) = (*visited.first()?, *visited.last()?);
+        let gap = visited.windows(2).map(|two| two[1] - two[0]).fold(0.0, f64::max);
+        let step = gap.min(SHARE * (high - low));
         let turns = setup.axis(function).is_some_and(|axis| axis.kind == AxisKind::Rotary);
-        let whole_turn = turns && high - low + 2.0 * step >= TAU && repeats(setup, function);
         // A whole turn is often measured without its end, which is its beginning.
-        (low < high).then_some(Self { low: low - step, high: high + step, whole_turn })
+        let whole_turn = turns && high - low + 2.0 * step >= TAU && repeats(setup, function);
+        (low < high).then_some(Self { low, high, step, whole_turn })
     }
 
     /// Whether a range is within it, mm or rad.
     pub fn has(&self, (low, high): (f64, f64)) -> bool {
-        let slack = 1e-9 * (1.0 + low.abs().max(high.abs()));
+        let slack = self.step + 1e-9 * (1.0 + low.abs().max(high.abs()));
         self.whole_turn || (low >= self.low - slack && high <= self.high + slack)
     }
 }

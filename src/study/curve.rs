@@ -1,6 +1,6 @@
 //! An estimated function over the range of the data, with its band and what linearisation leaves in it.
 
-use super::budget::{Budget, Combined, Detail, Sources};
+use super::budget::{Budget, Combined, Detail, Source, Sources};
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
 use super::seen::Seen;
@@ -52,6 +52,8 @@ pub struct CurvePoint {
     pub value: f64,
     /// Standard uncertainty of that from the scatter of the readings alone.
     pub noise_std: f64,
+    /// Standard uncertainty of that as the function's value from all else.
+    pub other_std: f64,
     /// Combined standard uncertainty of that as the function's value.
     pub std: f64,
     /// Expanded uncertainty of the same, 95 %.
@@ -97,8 +99,9 @@ pub(super) fn curve(
         let budget = sources.function(seen, x).times(unit.from_inner(1.0));
         let (Combined { std, expanded: u95, factor, .. }, of_the_sum) = (budget.combined, budget.of_the_sum().combined);
         let (sum_u95, sum_factor) = (of_the_sum.expanded, of_the_sum.factor);
+        let other_std = budget.without(Source::Noise).combined.std;
         let (value, noise_std) = (unit.from_inner(value), unit.from_inner(noise_std));
-        points.push(CurvePoint { at, value, noise_std, std, u95, factor, sum_u95, sum_factor });
+        points.push(CurvePoint { at, value, noise_std, other_std, std, u95, factor, sum_u95, sum_factor });
         if largest.as_ref().is_none_or(|(_, before): &(f64, Budget)| u95 > before.combined.expanded) {
             largest = Some((at, budget));
         }

@@ -62,7 +62,7 @@ pub use arrays::{ArrayError, Arrays, Column, KnownColumn};
 pub use budget::{
     Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, Term, coverage_factor,
 };
-pub use by_direction::{ByDirection, Failing, NotByDirection, by_direction};
+pub use by_direction::{ByDirection, Failing, NotByDirection, Sided, by_direction};
 pub use covered::Covered;
 pub use curve::{Curve, CurvePoint};
 pub use draw::{Population, SimulatedMachine};
@@ -96,7 +96,7 @@ pub use systematic::{Contribution, Systematic, systematic};
 pub use told::Told;
 pub use trace::{Trace, TracePoint};
 pub use trunnion_solver::sized::LARGEST;
-pub use visited::{decimal, marks, visited};
+pub use visited::{decimal, in_unit, marks, visited};
 pub use warning::{WARN_CONDITION, Warning};
 pub use weigh::{MOST_WEIGHT, Weighed, WeightError, weigh};
 pub use weighed_down::WeighedDown;

@@ -1,7 +1,7 @@
 //! Where a run's sweep may go: every axis stays within its range.
 
 use super::setup::{Setup, coordinate};
-use super::visited::between;
+use super::visited::{between, in_unit};
 use std::f64::consts::TAU;
 use thiserror::Error;
 use trunnion_codegen::ids::{AxisId, RunId};
@@ -94,11 +94,11 @@ impl Setup {
     pub(super) fn out_of_range(&self, run: RunId, axis: AxisId, at: f64) -> OutOfRange {
         let described = self.model.axis(axis);
         let unit = described.map_or(Unit::Mm, |a| coordinate(a).coordinate());
-        let [low, high] = described.and_then(|a| a.range).unwrap_or_default().map(|end| unit.from_inner(end));
+        let [low, high] = described.and_then(|a| a.range).unwrap_or_default().map(|end| in_unit(unit, end));
         OutOfRange {
             run: self.model.runs[run].name.clone(),
             axis: described.map_or_else(String::new, |a| a.name.clone()),
-            reached: unit.from_inner(at),
+            reached: in_unit(unit, at),
             low,
             high,
             unit,

@@ -6,7 +6,7 @@ use super::limits::ErrorLimits;
 use super::monte_carlo::Draws;
 use super::setup::Setup;
 use super::simulate::{grid, step};
-use super::visited::decimal;
+use super::visited::in_unit;
 use chacha20::ChaCha8Rng;
 use core::convert::Infallible;
 use rand::{RngExt, SeedableRng};
@@ -76,7 +76,7 @@ impl Simulation {
     fn sweeps(&self, setup: &Setup, run: RunId) -> impl Iterator<Item = f64> + Clone + use<> {
         let (first, end) = setup.sweep_range(run, self.range());
         // In degrees, so that whole ones stay whole.
-        let degrees = |rad: f64| decimal(rad.to_degrees());
+        let degrees = |rad: f64| in_unit(Unit::Deg, rad);
         let whole = (first, end) == self.range();
         let range = if whole { self.range_deg } else { (degrees(first), degrees(end)) };
         let (samples, length) = (self.samples, self.length(setup, run));

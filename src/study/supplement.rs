@@ -16,7 +16,7 @@ use super::setup::{Setup, coordinate};
 use super::slow::{SLOW, slow};
 use super::told::Told;
 use super::track::Tracks;
-use super::visited::{between, visited};
+use super::visited::{between, in_unit, visited};
 use chacha20::ChaCha8Rng;
 use rand::{Rng, RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -96,7 +96,7 @@ pub fn supplement(
                 function: setup.function_name(function),
                 told: told.clone(),
                 unit,
-                at: of.from_inner(at),
+                at: in_unit(of, at),
                 sum: [budget.of_the_sum().combined.expanded, 0.0],
                 whole: [budget.combined.expanded, 0.0],
             });

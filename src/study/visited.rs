@@ -45,6 +45,11 @@ pub fn marks((low, high): (f64, f64), unit: Unit) -> Vec<f64> {
     (first..=last).map(|i| i as f64 * step).collect()
 }
 
+/// A coordinate in mm or rad, as a person has stated it in a unit.
+pub fn in_unit(unit: Unit, inner: f64) -> f64 {
+    decimal(unit.from_inner(inner))
+}
+
 /// A coordinate in its unit, without what conversions and sums of steps have added to a decimal fraction.
 pub fn decimal(x: f64) -> f64 {
     // No negative zero.

@@ -1,12 +1,14 @@
 //! A simulated machine with a control that compensates: measured again, fitted again.
 
+use crate::readers::Trim;
 use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::cell::Cell;
 use trunnion::study::{
-    ErrorLimits, Estimator, Fit, Instrument, Observation, Population, Setup, SimulatedMachine, fit, report,
+    ErrorLimits, Estimator, Fit, Instrument, Observation, Population, Setup, SimulatedMachine, Source, fit, report,
 };
 use trunnion_codegen::algebra::ErrorId;
+use trunnion_codegen::identify::Origin;
 use trunnion_codegen::ids::{FunctionId, RunId};
 use trunnion_codegen::kinematics::ErrorValues;
 use trunnion_codegen::measurement::ExactReading;
@@ -14,9 +16,6 @@ use trunnion_codegen::model::AxisKind;
 
 /// Half width of the noise, mm.
 const NOISE: f64 = 1e-4;
-
-/// What a control adds to a commanded coordinate, degrees or mm, as the axis moves forward or back.
-pub type Trim = Box<dyn Fn(f64, bool) -> f64>;
 
 /// A machine in one direction of its axis.
 pub struct Driven<'a> {
@@ -26,6 +25,8 @@ pub struct Driven<'a> {
     /// The one that is its own position, and whether it is counted against the axis' motion.
     pub own: ErrorId,
     pub sense: f64,
+    /// Errors that the model assumes there are none of.
+    pub absent: &'a [ErrorId],
     /// What the axis is off in this direction, mm or rad.
     pub offset: f64,
     /// From a commanded coordinate to what is added to it, mm or rad.
@@ -35,6 +36,9 @@ pub struct Driven<'a> {
 impl ErrorValues for Driven<'_> {
     /// The axis is sent to x + trim, and is off by the error that it has there.
     fn value(&self, error: ErrorId, x: f64) -> f64 {
+        if self.absent.contains(&error) {
+            return 0.0;
+        }
         if !self.errors.contains(&error) {
             return self.machine.value(error, x);
         }
@@ -50,9 +54,10 @@ pub struct Bench {
     pub function: FunctionId,
     /// −1 where the axis' positive motion is against the error's direction.
     pub sense: f64,
-    pub machine: SimulatedMachine,
+    machine: SimulatedMachine,
     /// Forward less reverse, mm or rad.
     pub hysteresis: f64,
+    absent: Vec<ErrorId>,
     sweeps: Vec<(RunId, Vec<f64>)>,
     seed: u64,
     /// How often it was measured.
@@ -76,7 +81,12 @@ impl Bench {
         let exact: Vec<ExactReading> = sweeps.iter().map(|(run, sweeps)| setup.exact(*run, sweeps)).collect();
         let machine = Population::new(&setup, &exact, ErrorLimits::PAPER).draw(&mut ChaCha8Rng::seed_from_u64(seed));
         let function = setup.estimated().next().unwrap();
-        Self { setup, function, sense, machine, hysteresis: 0.0, sweeps, seed, times: Cell::new(0) }
+        let error = |(origin, _): &(Origin, _)| match origin {
+            Origin::Constant(error) => *error,
+            Origin::Coefficient(own) => setup.model.functions[own.function].error,
+        };
+        let absent = setup.model.assumptions.iter().flat_map(|assumed| &assumed.terms).map(error).collect();
+        Self { setup, function, sense, machine, hysteresis: 0.0, absent, sweeps, seed, times: Cell::new(0) }
     }
 
     pub fn error(&self) -> ErrorId {
@@ -88,7 +98,8 @@ impl Bench {
         if self.setup.axis(self.function).unwrap().kind == AxisKind::Rotary { at.to_radians() } else { at }
     }
 
-    fn outer(&self, x: f64) -> f64 {
+    /// The other way round.
+    pub fn outer(&self, x: f64) -> f64 {
         if self.setup.axis(self.function).unwrap().kind == AxisKind::Rotary { x.to_degrees() } else { x }
     }
 
@@ -115,6 +126,7 @@ impl Bench {
                         errors: described.motion,
                         own: self.error(),
                         sense: self.sense,
+                        absent: &self.absent,
                         offset: self.sense * self.hysteresis / if forward { 2.0 } else { -2.0 },
                         trim: &added,
                     };
@@ -134,7 +146,9 @@ impl Bench {
         let report =
             report(&self.setup, &observations, &fit, ErrorLimits::PAPER, &Instrument::default(), false).unwrap();
         let curve = report.functions.iter().find(|c| c.function == self.function).unwrap();
-        let u95 = curve.points.iter().map(|p| curve.unit.to_inner(p.u95)).fold(0.0, f64::max);
+        // This machine is as the model assumes.
+        let (_, budget) = curve.largest.as_ref().unwrap();
+        let u95 = curve.unit.to_inner(budget.without(Source::Assumptions).combined.expanded);
         Found { observations, fit, u95 }
     }
 }

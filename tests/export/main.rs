@@ -9,3 +9,5 @@ mod program;
 mod properties;
 mod readers;
 mod signs;
+mod told;
+mod written;

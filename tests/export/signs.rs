@@ -1,62 +1,80 @@
 //! Of every format: written, read as its control does, applied to the exact machine, measured and fitted again.
 
-use crate::machine::{Bench, Found, Trim};
-use crate::readers;
-use trunnion::export::{AllFormat, Format, Grid, OneFormat, Subject, Table, Told, left, write, write_all};
+use crate::machine::{Bench, Found};
+use crate::readers::Trim;
+use crate::written;
+use trunnion::export::{Format, Grid, Kept, OneFormat, Subject, Table, Told, left};
 use trunnion::study::{Covered, ErrorLimits, Estimator, Failing, NotByDirection, Setup, Simulation, by_direction, fit};
 use trunnion_codegen::model::read_draft;
+use trunnion_codegen::quantity::Quantity;
 
 /// One arc second, rad.
 const SECOND: f64 = std::f64::consts::PI / 180.0 / 3600.0;
 
-/// Models, the range in degrees, the rows' step, and −1 where the axis' positive motion is against the error's direction.
-const CASES: [(&str, (f64, f64), f64, f64); 4] = [
-    ("tilting-table-a", (0.0, 360.0), 5.0, 1.0),
-    ("tilting-table-b", (-30.0, 110.0), 2.0, 1.0),
-    ("rotary-table-c", (0.0, 360.0), 5.0, 1.0),
-    ("backwards", (-30.0, 110.0), 2.0, -1.0),
+/// A model, edits of its description, the range in degrees, the rows' step, and −1 where the axis' positive motion is against the
+/// error's direction.
+type Case = (&'static str, &'static [(&'static str, &'static str)], (f64, f64), f64, f64);
+
+/// Of the linear axis Y the ball-bar tells the positioning error where Z has none of first order, and is straight to the second. That
+/// is assumed, and so is the machine: no model of the catalogue determines a linear axis' error without it.
+const CASES: [Case; 6] = [
+    ("tilting-table-a", &[], (0.0, 360.0), 5.0, 1.0),
+    ("tilting-table-b", &[], (-30.0, 110.0), 2.0, 1.0),
+    ("rotary-table-c", &[], (0.0, 360.0), 5.0, 1.0),
+    (
+        "tilting-table-b",
+        &[
+            ("rotary = \"y\"", "rotary = \"-y\""),
+            ("B = \"b\"", "B = \"-b\""),
+            ("range = [-30, 110]", "range = [-110, 30]"),
+        ],
+        (-30.0, 110.0),
+        2.0,
+        -1.0,
+    ),
+    ("tilting-table-a", &[OF_Y[0], OF_Y[1], OF_Y[2]], (0.0, 360.0), 10.0, 1.0),
+    (
+        "tilting-table-a",
+        &[OF_Y[0], OF_Y[1], OF_Y[2], ("linear = \"y\"", "linear = \"-y\""), ("Y = \"R*cos(a)\"", "Y = \"-R*cos(a)\"")],
+        (0.0, 360.0),
+        10.0,
+        -1.0,
+    ),
 ];
 
-/// A model of the catalogue, or one whose axis turns the other way.
-fn setup(name: &str) -> Setup {
-    if name != "backwards" {
-        return Setup::from_catalogue(name, &[]).unwrap();
+/// From the tilting table's error to that of Y.
+const OF_Y: [(&str, &str); 3] = [
+    ("estimate = [\"e_xa\"]", "estimate = [\"d_yy\"]"),
+    ("\"d_yz2\", ", ""),
+    ("\"d_zz1\"]\n", "]\n[assume]\nd_zz1 = \"0\"\nd_yz2 = \"0\"\n"),
+];
+
+fn setup(name: &str, edits: &[(&str, &str)]) -> Setup {
+    let mut text = trunnion_codegen::catalogue::source(name).unwrap().to_owned();
+    for (from, to) in edits {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
     }
-    let text = trunnion_codegen::catalogue::source("tilting-table-b").unwrap();
-    let turned = text.replace("rotary = \"y\"", "rotary = \"-y\"").replace("B = \"b\"", "B = \"-b\"");
-    assert_ne!(text, turned);
-    Setup::from_description(&turned.replace("range = [-30, 110]", "range = [-110, 30]"), &[]).unwrap()
+    Setup::from_description(&text, &[]).unwrap()
 }
 
 fn benches(seed: u64) -> impl Iterator<Item = (Bench, f64)> {
-    CASES.into_iter().map(move |(name, range, step, sense)| (Bench::new(setup(name), sense, range, seed), step))
+    CASES
+        .into_iter()
+        .map(move |(name, edits, range, step, sense)| (Bench::new(setup(name, edits), sense, range, seed), step))
 }
 
 /// What a control makes of a table.
-fn read(format: Format, table: &Table) -> (Trim, [Vec<f64>; 2]) {
+fn read(format: Format, table: &Table) -> (Trim, Kept) {
     // As fine as Fanuc's detection unit can be.
-    let told = Told { detection_unit: 1e-5, ..Told::default() };
-    match format {
-        Format::One(one) => {
-            let written = write(table, one, &told).unwrap();
-            (readers::of(one)(&written.text), written.kept)
-        }
-        Format::All(all) => {
-            let (text, mut kept) = write_all(std::slice::from_ref(table), &[], all, &[]);
-            let errors = match all {
-                AllFormat::Volcomp => readers::volcomp(&text),
-                AllFormat::Etalon => readers::etalon(&text),
-            };
-            (readers::own_error(&errors, &table.subject.iso, true), kept.remove(0))
-        }
-    }
+    written::read(format, table, &Told { detection_unit: 1e-5, ..Told::default() }).unwrap()
 }
 
 /// Rows of a format: increments of seven units at most are as coarse as the rows are far apart.
 fn grid(bench: &Bench, found: &Found, format: Format, step: f64) -> Grid {
     let step = if format == Format::One(OneFormat::Fanuc) { step / 5.0 } else { step };
     let covered = Covered::of(&bench.setup, bench.function, &found.observations).unwrap();
-    Grid::within((covered.low.to_degrees(), covered.high.to_degrees()), step).unwrap()
+    Grid::within((bench.outer(covered.low - covered.step), bench.outer(covered.high + covered.step)), step).unwrap()
 }
 
 /// Formats whose values are errors in the machine's direction, not positions of the axis.
@@ -64,9 +82,11 @@ fn in_machine_direction(format: Format) -> bool {
     matches!(format, Format::All(_) | Format::One(OneFormat::Csv | OneFormat::Json))
 }
 
+/// What is stated holds at 95 of 100 coordinates, of six axes on machines of two seeds; nowhere is half as much again left.
 #[test]
 fn what_remains_is_within_the_uncertainty_and_the_wrong_sign_doubles_it() {
-    for (bench, step) in benches(5) {
+    let (mut within, mut coordinates) = (0, 0);
+    for (bench, step) in [5, 7].into_iter().flat_map(benches) {
         let setup = &bench.setup;
         let before = bench.measured(None, 0.0);
         let value = |found: &Found, at: f64| found.fit.function(setup, bench.function, bench.inner(at)).0;
@@ -81,27 +101,32 @@ fn what_remains_is_within_the_uncertainty_and_the_wrong_sign_doubles_it() {
             let left = left(&table, &kept, format.facts().between, error);
             let sense = if in_machine_direction(format) { bench.sense } else { 1.0 };
             let [after, wrong] = [1.0, -1.0].map(|sign| bench.measured(Some(&trim), sign * sense));
-            let allowed = before.u95 + 2.0 * after.u95 + left;
+            let allowed = before.u95.hypot(after.u95) + left;
             let (mut largest, mut remains, mut doubled) = (0.0f64, 0.0f64, 0.0f64);
             for at in grid.points() {
                 largest = largest.max(error(at)[0].abs());
                 // What is left of all is a zero that is elsewhere.
                 let from_zero = |found: &Found| value(found, at) - value(found, 0.0);
-                remains = remains.max(from_zero(&after).abs());
+                let own = from_zero(&after).abs();
+                remains = remains.max(own);
+                coordinates += 1;
+                within += usize::from(own <= allowed);
                 doubled = doubled.max((from_zero(&wrong) - 2.0 * error(at)[0]).abs());
             }
-            let named = format!("{} of {}", format.name(), setup.model.name);
-            println!("{named}: {:.2} µrad, {:.3} remain, ±{:.3}", largest * 1e6, remains * 1e6, allowed * 1e6);
+            let named = format!("{} of {} {}", format.name(), setup.model.name, table.subject.iso);
+            println!("{named}: {largest:.3e}, {remains:.3e} remain, ± {allowed:.3e}; {doubled:.3e} from twice");
             assert!(largest > 3.0 * allowed, "{named}: nothing to be seen: {largest} ± {allowed}");
-            assert!(remains <= allowed, "{named}: {remains} of {largest}, ± {allowed}");
+            assert!(remains <= 1.5 * allowed, "{named}: {remains} of {largest}, ± {allowed}");
             assert!(doubled <= 2.0 * allowed, "{named}: {doubled} from twice {largest}");
         }
     }
+    assert!(100 * within >= 95 * coordinates, "{within} of {coordinates}");
 }
 
 #[test]
 fn a_hysteresis_of_four_seconds_is_in_the_columns() {
-    for (mut bench, step) in benches(11) {
+    let turns = |bench: &Bench| bench.setup.quantity(bench.function) == Quantity::Angle;
+    for (mut bench, step) in benches(11).filter(|(bench, _)| turns(bench)) {
         bench.hysteresis = 4.0 * SECOND;
         let setup = &bench.setup;
         let found = bench.measured(None, 0.0);

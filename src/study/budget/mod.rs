@@ -18,7 +18,7 @@ mod source;
 mod term;
 
 pub(super) use effects::without_table;
-pub use gum::{COVERAGE, Combined, combine, coverage_factor};
+pub use gum::{COVERAGE, Combined, Contribution, combine, coverage_factor};
 pub use input::{Detail, Distribution, Input};
 pub use instrument::Instrument;
 pub(super) use parts::any_shape;

@@ -21,8 +21,8 @@ pub struct Look {
     pub deviation: Option<f64>,
     /// Correlation of neighbours.
     pub correlation: f64,
-    /// How many standard deviations fewer changes of sign there are than white noise has (Wald and Wolfowitz' run test); none where
-    /// only sums are known.
+    /// How many standard deviations fewer changes of sign there are than white noise about zero has; none where only sums are
+    /// known.
     pub runs: Option<f64>,
     /// Positions of those far out; of more than 64 the furthest.
     pub spikes: Vec<usize>,
@@ -36,7 +36,6 @@ pub struct Looking {
     samples: usize,
     squares: f64,
     neighbours: f64,
-    above: usize,
     changes: usize,
     last: f64,
     sizes: Sizes,
@@ -52,7 +51,6 @@ impl Looking {
             self.changes += usize::from((self.last > 0.0) != (residual > 0.0));
         }
         self.squares += residual * residual;
-        self.above += usize::from(residual > 0.0);
         self.last = residual;
         self.sizes.add(residual.abs());
         // Sizes of numbers are in the order of their bits.
@@ -70,11 +68,9 @@ impl Looking {
     pub fn look(&self) -> Look {
         let n = self.samples;
         let correlation = if self.squares > 0.0 { self.neighbours / self.squares } else { 0.0 };
-        let above = self.above as f64;
-        let below = n as f64 - above;
-        let expected = 1.0 + 2.0 * above * below / n.max(1) as f64;
-        let variance = (expected - 1.0) * (expected - 2.0) / (n as f64 - 1.0).max(1.0);
-        let runs = if variance > 0.0 { (expected - (self.changes as f64 + 1.0)) / variance.sqrt() } else { 0.0 };
+        // Each of the n − 1 is a change with the probability 1/2.
+        let pairs = n.max(2) as f64 - 1.0;
+        let runs = (pairs / 2.0 - self.changes as f64) / (pairs / 4.0).sqrt();
         // The median of a normal distribution's sizes is 0.6745 of its deviation.
         let deviation = self.sizes.median() / 0.6745;
         let far = FAR * deviation;
@@ -190,6 +186,15 @@ mod tests {
             assert_eq!(Look::at(&spike).spikes, [77]);
         }
         assert_eq!((said, waves), (0, 2000));
+    }
+
+    #[test]
+    fn readings_that_are_all_off_alike_stand_for_few() {
+        let mut random = ChaCha8Rng::seed_from_u64(6);
+        let off: Vec<f64> = (0..360).map(|_| 10.0 + random.random_range(-1.0..=1.0)).collect();
+        let both: Vec<f64> = off.iter().copied().chain(off.iter().rev().map(|x| -x)).collect();
+        let [one, other] = [Look::at(&off), Look::at(&both)].map(|look| look.alike());
+        assert!(one > 10.0 && one == other, "{one} {other}");
     }
 
     #[test]
