@@ -229,7 +229,7 @@ type Ways = (&'static str, String, [String; 2]);
 
 /// Runs that are measured there and back, the axis 2″ further one way and 2″ less the other: a header, and the lines of each way.
 fn there_and_back(directory: &TempDir) -> [Ways; 2] {
-    let lines = |name: &str| file(&directory, name).lines().map(str::to_owned).collect::<Vec<String>>();
+    let lines = |name: &str| file(directory, name).lines().map(str::to_owned).collect::<Vec<String>>();
     ["tilting", "separation"].map(|name| {
         let own = lines(&format!("{name}.csv"));
         // ΔR = R·e_xa: 2″ of it are 1.454 µm at 150 mm.

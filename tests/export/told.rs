@@ -2,10 +2,11 @@
 
 use crate::commands::{exported, file, simulated, text};
 use crate::program::{succeeds, trunnion};
+use crate::readers;
 use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;
-use trunnion::export::Format;
+use trunnion::export::{AllFormat, Format};
 
 /// The rows of a table that is asked for without a range.
 fn rows(directory: &TempDir, format: &str, step: &str) -> String {
@@ -61,14 +62,49 @@ fn where_the_axis_powers_up_is_looked_up_as_the_control_does() {
     assert!(!said("linuxcnc", &["--range-deg=-180:180"]).contains("--range-deg 0:360"));
 }
 
+/// `--run` of every file that was simulated.
+fn runs(directory: &TempDir) -> Vec<String> {
+    let files = fs::read_dir(directory.path()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let run = |name: String| Some(format!("{}={name}", name.strip_suffix(".csv").filter(|run| *run != "table")?));
+    files.filter_map(run).flat_map(|run| ["--run".to_owned(), run]).collect()
+}
+
+#[test]
+fn location_errors_have_their_unit_and_their_uncertainty() {
+    let directory = simulated("ac-trunnion-probe");
+    let (at, runs) = (directory.path(), runs(&directory));
+    let runs: Vec<&str> = runs.iter().map(String::as_str).collect();
+    let object = |arguments: &[&str]| -> Value {
+        serde_json::from_str(&succeeds(at, &[arguments, &runs, &["--json"]].concat())).unwrap()
+    };
+    let fit = object(&["fit", "ac-trunnion-probe"]);
+    let locations: Vec<&Value> =
+        fit["functions"].as_array().unwrap().iter().filter(|own| own["location_error"] == true).collect();
+    assert_eq!(locations.len(), 8);
+    for format in [AllFormat::Volcomp, AllFormat::Etalon] {
+        let export = ["export", "ac-trunnion-probe", "--out", "v", "--force", "--format", Format::All(format).name()];
+        let exported = object(&export);
+        let written = readers::of_all(format)(&file(&directory, "v")).unwrap();
+        for own in &locations {
+            let name = own["name"].as_str().unwrap().strip_prefix('E').unwrap();
+            let told = exported["constants"].as_array().unwrap().iter().find(|told| told["name"] == name).unwrap();
+            let (per, unit) = if own["unit"] == "um" { (1e-3, "mm") } else { (1e-6, "rad") };
+            assert_eq!(told["unit"], unit, "{name}");
+            let [value, u95] = ["value", "u95"].map(|key| per * own["points"][0][key].as_f64().unwrap());
+            let [told_value, told_u95] = ["value", "u95"].map(|key| told[key].as_f64().unwrap());
+            assert!((told_value - value).abs() < 1e-12 && (told_u95 - u95).abs() < 1e-12 && u95 > 0.0, "{name}");
+            assert!((written[name][0].1 - value).abs() < 1e-12, "{name}");
+            let line = format!("// {name}: {value:.9} {unit} +- {u95:.9} {unit} (95 %)");
+            assert!(file(&directory, "v").contains(&line), "{line}");
+        }
+    }
+}
+
 #[test]
 fn numbers_are_told_as_they_were_stated() {
     let directory = simulated("bc-trunnion");
-    let files = fs::read_dir(directory.path()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let runs: Vec<String> = files
-        .filter_map(|name| Some(format!("{}={name}", name.strip_suffix(".csv").filter(|n| *n != "table")?)))
-        .collect();
-    let runs: Vec<&str> = runs.iter().flat_map(|run| ["--run", run]).collect();
+    let runs = runs(&directory);
+    let runs: Vec<&str> = runs.iter().map(String::as_str).collect();
     let export = ["export", "bc-trunnion", "--format", "volcomp", "--step-deg", "60", "--out", "v"];
     let out = trunnion(directory.path(), &[&export, runs.as_slice()].concat());
     assert!(text(&out.stderr).contains("the axis goes from -30 to 110 ° in the model"), "{}", text(&out.stderr));
