@@ -137,7 +137,7 @@ fn bad_input_is_named() {
         format!("{header}\n{}", lines.collect::<String>())
     };
     assert!(refused(&["--cw", &file("short.csv", &rows("c_deg,dr_um", 60))]).contains("an arc of 59.0°"));
-    assert!(refused(&["--cw", &file("few.csv", &rows("c_deg,dr_um", 5))]).contains("5 different angle(s)"));
+    assert!(refused(&["--cw", &file("few.csv", &rows("c_deg,dr_um", 5))]).contains("a run of 5 readings"));
     assert!(refused(&["--cw", &file("unit.csv", &rows("angle,dr_um", 360))]).contains("a_deg or a_rad"));
     assert!(refused(&["--cw", &file("two.csv", &rows("a_deg,c_deg", 360))]).contains("same quantity"));
     assert!(refused(&["--cw", &file("rows.csv", &rows("a_deg,dr_um", 360).replace("9,0.9", "9,x"))]).contains(":11:"));
