@@ -86,7 +86,7 @@ mod tests {
     use super::*;
     use chacha20::ChaCha8Rng;
     use rand::{RngExt, SeedableRng};
-    use std::f64::consts::FRAC_PI_2;
+    use std::f64::consts::{FRAC_PI_2, TAU};
 
     /// A circle without its feed-in: out of centre, oval, drifting, noisy, with spikes where its axes turn round.
     struct Circle {
@@ -101,7 +101,7 @@ mod tests {
         let mut from = |low: f64, high: f64| random.random_range(low..high);
         let count = from(200.0, 3000.0) as usize;
         let begins = if from(0.0, 1.0) < 0.5 { 0.0 } else { from(-3.0, 3.0) };
-        let arc = if from(0.0, 1.0) < 0.5 { 6.2831853 } else { from(1.8, 7.0) };
+        let arc = if from(0.0, 1.0) < 0.5 { TAU } else { from(1.8, 7.0) };
         let (eccentric, towards) = (from(0.0, 0.5), from(-3.0, 3.0));
         let (oval, drift, spike, noise) = (from(-0.05, 0.05), from(-0.02, 0.02), from(-0.03, 0.03), from(0.0, 0.001));
         let decay = 0.012;
