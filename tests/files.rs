@@ -291,7 +291,7 @@ mod unix {
                 assert!(html.starts_with("<!doctype html>") && html.ends_with("</html>\n"), "turn {turn}");
             }
             if let Ok(curve) = fs::read_to_string(at.join("curves/eps_xa.csv")) {
-                assert_eq!(curve.lines().count(), 74, "turn {turn}");
+                assert_eq!(curve.lines().count(), 75, "turn {turn}");
             }
         }
         succeeds(at, &fit);

@@ -37,10 +37,37 @@ fn a_change_is_told_where_it_is_beyond_the_uncertainty() {
     assert!((changes[1]["allowed"].as_f64().unwrap() - 3.3966 / 1.95996).abs() < 1e-3, "{}", changes[1]["allowed"]);
     assert_eq!(told["reports"][2]["day"].as_i64().unwrap() - told["reports"][0]["day"].as_i64().unwrap(), 90);
     let text = succeeds(directory.path(), &["compare", "a.json", "c.json", "--svg", "c.svg", "--over-time", "t.svg"]);
-    assert!(text.contains("EAA in c.json: changed; most at"), "{text}");
+    assert!(text.contains("EAA in c.json: changed; largest "), "{text}");
     let drawn = fs::read_to_string(directory.path().join("t.svg")).unwrap();
     assert!(drawn.contains("days since the first report") && drawn.contains("EAA at a = "), "{drawn}");
     assert!(fs::read_to_string(directory.path().join("c.svg")).unwrap().contains("change"));
+}
+
+#[test]
+fn the_largest_change_and_the_clearest_one_are_told_apart() {
+    let directory = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: String| fs::write(directory.path().join(name), text).unwrap();
+    // Beyond 300° the function is hardly known, and farthest off.
+    let uncertain = |text: String| {
+        let mut report: Value = serde_json::from_str(&text).unwrap();
+        for point in report["functions"][0]["points"].as_array_mut().unwrap() {
+            point["u95"] = json!(if point["a_deg"].as_f64().unwrap() > 300.0 { 40.0 } else { 3.0 });
+        }
+        report.to_string()
+    };
+    write("a.json", uncertain(report("2026-01-01", |_| 0.0, 1.0)));
+    let step = |a: f64| if a == 310.0 { 50.0 } else { 12.0 * f64::from(a == 70.0) };
+    write("b.json", uncertain(report("20260201-080000", step, 1.0)));
+    let told: Value =
+        serde_json::from_str(&succeeds(directory.path(), &["compare", "a.json", "b.json", "--json"])).unwrap();
+    let change = &told["changes"][0];
+    assert_eq!((&change["largest"]["at"], &change["largest"]["difference"]), (&json!(310.0), &json!(50.0)));
+    assert_eq!((&change["clearest"]["at"], &change["clearest"]["difference"]), (&json!(70.0), &json!(12.0)));
+    assert_eq!(told["reports"][1]["day"].as_i64().unwrap() - told["reports"][0]["day"].as_i64().unwrap(), 31);
+    let text = succeeds(directory.path(), &["compare", "a.json", "b.json"]);
+    let said =
+        "largest +50.000 ± 56.569 urad at 310 deg, clearest for its uncertainty +12.000 ± 4.243 urad at 70 deg (95 %)";
+    assert!(text.contains(said), "{text}");
 }
 
 #[test]
@@ -82,7 +109,14 @@ fn what_is_no_report_is_refused() {
     write("b.json", &report("", |_| 0.0, 1.0).replace("\"m\"", "\"other\""));
     write("c.json", "{");
     write("d.json", &report("", |_| 0.0, 1.0).replacen("\"value\":0.0", "\"value\":null", 1));
-    let cases: [(&[&str], &str); 6] = [
+    for (name, date) in [("e.json", "gestern"), ("f.json", "01.04.2026")] {
+        write(name, &report(date, |_| 0.0, 1.0));
+    }
+    let cases: [(&[&str], &str); 10] = [
+        (&["a.json", "e.json"], "e.json: measured on \"gestern\"\n  expected a date such as 2026-04-01"),
+        (&["a.json", "f.json"], "f.json: measured on \"01.04.2026\""),
+        (&["a.json", "a.json", "--over-time", "x.svg"], "a.json: no date of this report"),
+        (&["a.json", "a.json", "--function", "NOPE"], "--function"),
         (&["a.json"], "a.json: one report"),
         (&["a.json", "b.json"], "b.json: a report of other, the first is one of m"),
         (&["a.json", "c.json"], "c.json: "),

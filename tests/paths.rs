@@ -133,3 +133,26 @@ fn without_room_for_the_feed_in_there_is_no_path() {
     let refused = setup.path(setup.run("tilting").unwrap(), 0.1).unwrap_err().to_string();
     assert!(refused.contains("axis Y would go to -2."), "{refused}");
 }
+
+#[test]
+fn a_program_says_how_far_its_decimals_take_the_bar_off_its_length() {
+    let setup = setup("tilting-table-b", &[]);
+    let [bar, far] = [150.0, 200.0];
+    let run = setup.run("b-tangential-far").unwrap();
+    let path = path(&setup, run);
+    for (control, decimals) in [(Control::Fanuc, 4), (Control::Heidenhain, 4), (Control::LinuxCnc, 5)] {
+        let text = Program { name: "t", title: "", path: &path, rate: 360.0 }.text(control).unwrap();
+        let (_, told) = text.split_once("UP TO ").or(text.split_once("up to ")).unwrap();
+        let told: f64 = told.split(' ').next().unwrap().parse().unwrap();
+        assert!(text.to_lowercase().contains(&format!("coordinates have {decimals} decimals")));
+        // The ball on the table is at 2L along Z of the table, which turns about Y.
+        let off = text.lines().filter(|line| line.contains("G1 ") || line.contains("L ")).filter_map(|line| {
+            let word = |axis| line.split(' ').find_map(|word| word.strip_prefix(axis)?.parse::<f64>().ok());
+            let (b, x, z) = (word('B')?.to_radians(), word('X')?, word('Z')?);
+            Some(1e3 * ((x - far * b.sin()).hypot(z - far * b.cos()) - bar).abs())
+        });
+        // The feed-in and the feed-out are no part of it.
+        let most = off.filter(|um| *um < 100.0).fold(0.0, f64::max);
+        assert!(most <= told + 0.005 && most > 0.4 * told, "{}: {most} of {told} µm", control.name());
+    }
+}

@@ -3,7 +3,8 @@
 
 use libfuzzer_sys::fuzz_target;
 use trunnion::circular::{Plane, Test, Trace, Traces, circular, picture};
-use trunnion::data::{Columns, Radius, Sweep};
+use trunnion::data::{Columns, Radius, import};
+use trunnion::import::Stated;
 use trunnion_fuzz::{file, finite, repeated};
 
 fuzz_target!(|bytes: &[u8]| {
@@ -21,7 +22,7 @@ fuzz_target!(|bytes: &[u8]| {
 });
 
 fn path(bytes: &[u8]) -> Option<Trace> {
-    let radius = Radius::new(150.0).expect("a length");
-    let sweep = Sweep::read_circle(&file(bytes), &Columns::default(), radius, 1).ok()?;
-    Trace::new(sweep.samples().iter().map(|sample| (sample.angle_rad, sample.reading_mm))).ok()
+    let read = import(&file(bytes), None, &Columns::default(), &Stated::default()).ok()?;
+    let run = read.imported.traces.first()?;
+    Trace::new(run.kept().iter().map(|sample| (sample.angle_rad, sample.reading_mm))).ok()
 }

@@ -1,9 +1,10 @@
 //! `trunnion circular`: the circular test of ISO 230-4.
 
-use super::Refused;
 use super::model::millimetres;
 use super::number;
 use super::output::{Picture, print, say};
+use super::trimmed::trimmed;
+use super::{Refused, seen};
 use clap::{ArgGroup, Args};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -11,8 +12,9 @@ use trunnion::circular::{
     At, Circles, Circular, Direction, Effect, Estimate, Plane, Radial, Spike, Test, Trace, Traces, Undetermined,
     circular, picture,
 };
-use trunnion::data::{Columns, Form, Radius, Sweep, Unit, import};
-use trunnion::import::{Imported, Stated, Trace as Run};
+use trunnion::data::{Columns, FileError, Form, Radius, Unit, import};
+use trunnion::import::{Cut, Imported, Stated, Trace as Run};
+use trunnion::study::decimal;
 
 /// Seconds of a minute.
 const MINUTE: f64 = 60.0;
@@ -56,8 +58,8 @@ pub fn plane(text: &str) -> Result<Plane, &'static str> {
 }
 
 impl CircularArguments {
-    /// What is tested: one file with all it says, or a file of each direction.
-    fn test(&self) -> Result<Test, Refused> {
+    /// What is tested, one file with all it says or a file of each direction; and what of each path was trimmed.
+    fn test(&self) -> Result<(Test, Vec<Cut>), Refused> {
         let radius = |of_file: Option<f64>| match self.radius.or(of_file) {
             Some(mm) => Ok(Radius::new(mm)?),
             None => Err(Refused::NoLength),
@@ -75,13 +77,12 @@ impl CircularArguments {
                 return Err(Refused::Option("columns", "without effect".to_owned(), idle));
             }
             let Imported { about, traces } = read.imported;
+            if let Some(problem) = self.radius.and_then(|mm| about.fits(mm).err()) {
+                return Err(Refused::Run(FileError { file: file.clone(), problem: problem.into() }));
+            }
+            let (traces, cuts) = paths(file, read.form, &traces)?;
             let plane = self.plane.or(about.plane).unwrap_or_default();
-            return Ok(Test {
-                traces: paths(file, &traces)?,
-                radius: radius(about.bar_mm)?,
-                plane,
-                feed: feed(about.feed),
-            });
+            return Ok((Test { traces, radius: radius(about.bar_mm)?, plane, feed: feed(about.feed) }, cuts));
         }
         let files = [&self.cw, &self.ccw];
         if let [Some(cw), Some(ccw)] = files
@@ -91,15 +92,17 @@ impl CircularArguments {
             return Err(Refused::Option("ccw", ccw.display().to_string(), same));
         }
         let radius = radius(None)?;
-        let trace = |file: &Option<PathBuf>| file.as_deref().map(|file| trace(file, &columns, radius)).transpose();
-        let [cw, ccw] = files.map(trace);
-        let traces = Traces::of(cw?, ccw?).ok_or(Refused::NoRuns)?;
-        Ok(Test { traces, radius, plane: self.plane.unwrap_or_default(), feed: feed(None) })
+        let path = |file: &Option<PathBuf>| file.as_deref().map(|file| path(file, &columns)).transpose();
+        let [cw, ccw] = files.map(path);
+        let ((cw, cut), (ccw, other_cut)) = (cw?.unzip(), ccw?.unzip());
+        let traces = Traces::of(cw, ccw).ok_or(Refused::NoRuns)?;
+        let test = Test { traces, radius, plane: self.plane.unwrap_or_default(), feed: feed(None) };
+        Ok((test, cut.into_iter().chain(other_cut).collect()))
     }
 
     /// Reads, works out, prints.
     pub fn run(self) -> Result<(), Refused> {
-        let test = self.test()?;
+        let (test, cuts) = self.test()?;
         let figures = circular(&test)?;
         let title = format!("Circular test {}, R = {} mm", test.plane, test.radius.mm());
         let files = [&self.file, &self.cw, &self.ccw].into_iter().flatten();
@@ -107,39 +110,54 @@ impl CircularArguments {
         for warning in figures.warnings() {
             say(format_args!("warning: {warning}"));
         }
-        Ok(print(&if self.json { format!("{:#}\n", document(&figures)) } else { figures.to_string() })?)
+        Ok(print(&if self.json { format!("{:#}\n", document(&figures, &cuts)) } else { figures.to_string() })?)
     }
 }
 
-fn trace(file: &Path, columns: &Columns, radius: Radius) -> Result<Trace, Refused> {
-    let sweep = Sweep::read_circle(file, columns, radius, 1).map_err(Refused::Run)?;
-    let samples = sweep.samples().iter().map(|sample| (sample.angle_rad, sample.reading_mm));
-    Trace::new(samples).map_err(|error| Refused::Trace(file.to_owned(), error))
+/// The path of a file that has one alone, and what of it was trimmed.
+fn path(file: &Path, columns: &Columns) -> Result<(Trace, Cut), Refused> {
+    let read = import(file, None, columns, &Stated::default()).map_err(Refused::Run)?;
+    match (read.form, read.imported.traces.as_slice()) {
+        (Form::Table, [run]) => taken(file, read.form, run),
+        (Form::Table, runs) => Err(Refused::OnePath(file.to_owned(), format!("{} runs", runs.len()))),
+        (Form::B5r, _) => Err(Refused::OnePath(file.to_owned(), "a test of Ballbar 20".to_owned())),
+    }
 }
 
-/// The runs of one file, one in each direction at most.
-fn paths(file: &Path, runs: &[Run]) -> Result<Traces, Refused> {
+/// The runs of one file, one in each direction at most, and what of each was trimmed.
+fn paths(file: &Path, form: Form, runs: &[Run]) -> Result<(Traces, Vec<Cut>), Refused> {
     let path = |direction| {
         let mut own = runs.iter().filter(|run| run.direction == Some(direction));
         let (run, more) = (own.next(), own.count());
         if more > 0 {
             return Err(Refused::Paths(file.to_owned(), format!("{} {direction} runs", more + 1)));
         }
-        let samples = run.map(|run| run.kept().iter().map(|sample| (sample.angle_rad, sample.reading_mm)));
-        let trace = samples.map(Trace::new).transpose();
-        trace.map_err(|error| Refused::Trace(file.to_owned(), error))
+        Ok(run.map(|run| taken(file, form, run)).transpose()?.unzip())
     };
-    let in_order = Traces::of(path(Direction::Clockwise)?, path(Direction::Counterclockwise)?);
-    in_order.ok_or_else(|| Refused::Paths(file.to_owned(), "samples in no order in time".to_owned()))
+    let (clockwise, cut) = path(Direction::Clockwise)?;
+    let (counterclockwise, other_cut) = path(Direction::Counterclockwise)?;
+    let in_order = Traces::of(clockwise, counterclockwise);
+    let traces = in_order.ok_or_else(|| Refused::Paths(file.to_owned(), "samples in no order in time".to_owned()))?;
+    Ok((traces, cut.into_iter().chain(other_cut).collect()))
 }
 
-/// One object: the paths, both together, what is read from the trace, spikes, warnings.
-pub fn document(figures: &Circular) -> Value {
+/// What of a run is no feed-in and no overshoot; said is what was taken for what, where it is not all as the file has it.
+fn taken(file: &Path, form: Form, run: &Run) -> Result<(Trace, Cut), Refused> {
+    if form == Form::B5r || run.cut != Cut::default() {
+        say(format_args!("note: {}: {}", seen(&file.display().to_string()), run.in_words()));
+    }
+    let trace = Trace::new(run.kept().iter().map(|sample| (sample.angle_rad, sample.reading_mm)));
+    Ok((trace.map_err(|error| Refused::Trace(file.to_owned(), error))?, run.cut))
+}
+
+/// One object: the paths, with what of each was trimmed, both together, what is read from the trace, spikes, warnings.
+fn document(figures: &Circular, cuts: &[Cut]) -> Value {
     let radius = figures.radius;
-    let path = |path: &trunnion::circular::Path| {
+    let path = |(path, cut): (&trunnion::circular::Path, &Cut)| {
         let mut object = circles(&path.circles, radius);
         object["direction"] = json!(path.direction.to_string());
         object["samples"] = json!(path.samples);
+        object["trimmed"] = trimmed(cut);
         object["arc_deg"] = json!(path.arc.to_degrees());
         object["whole_circle"] = json!(path.whole);
         object["start_deg"] = json!(path.start.map(f64::to_degrees));
@@ -187,8 +205,8 @@ pub fn document(figures: &Circular) -> Value {
     json!({
         "plane": figures.plane.to_string(),
         "radius_mm": radius.mm(),
-        "feed_mm_per_min": figures.feed.map(|feed| feed * MINUTE),
-        "paths": figures.paths.iter().map(path).collect::<Vec<_>>(),
+        "feed_mm_per_min": figures.feed.map(|feed| decimal(feed * MINUTE)),
+        "paths": figures.paths.iter().zip(cuts).map(path).collect::<Vec<_>>(),
         "both": both,
         "effects": figures.effects.iter().map(effect).collect::<Vec<_>>(),
         "scatter": figures.scatter.map(|scatter| json!({

@@ -2,30 +2,31 @@
 
 use super::Refused;
 use super::output::print;
-use clap::Args;
+use clap::{ArgGroup, Args};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
 use trunnion::data::{Guard, read_document, write_picture};
-use trunnion::history::{Change, Compared, Outcome, Reported, changes, compare, over_time};
+use trunnion::history::{Change, Compared, HistoryError, Outcome, Reported, changes, compare, over_time};
 
 /// Arguments of `compare`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("drawn").args(["svg", "over_time"]).multiple(true))]
 pub struct CompareArguments {
     /// Reports that `trunnion fit --json` printed, the first one first.
     #[arg(required = true, value_name = "FILE")]
     reports: Vec<PathBuf>,
     /// The function that is drawn; without it the first.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", requires = "drawn")]
     function: Option<String>,
     /// A picture of the function in every report, and of what differs.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// A picture of the function over the days between the reports, where it has changed most.
+    /// A picture of the function over the days between the reports, which all have a date, where its change is clearest.
     #[arg(long, value_name = "FILE")]
     over_time: Option<PathBuf>,
     /// Replaces files that are no pictures of Trunnion's.
-    #[arg(long)]
+    #[arg(long, requires = "drawn")]
     force: bool,
     /// Print one JSON object.
     #[arg(long)]
@@ -42,17 +43,21 @@ impl CompareArguments {
         let texts = self.reports.iter().map(read).collect::<Result<Vec<_>, Refused>>()?;
         let reports = Reported::read(&texts).map_err(|(at, e)| Refused::History(self.reports[at].clone(), e))?;
         let found = compare(&reports);
-        let guard = Guard { inputs: self.reports.clone(), force: self.force };
         if self.svg.is_some() || self.over_time.is_some() {
             let function = self.drawn(&reports)?;
-            if let Some(file) = &self.svg {
-                write_picture(file, &changes(&reports, &found, function)?, &guard)?;
-            }
-            if let Some(file) = &self.over_time {
-                let largest = found.iter().filter(|change| change.function == function).filter_map(compared);
-                let most = largest.max_by(|a, b| a.share().total_cmp(&b.share())).map(|most| most.largest[0]);
-                write_picture(file, &over_time(&reports, function, most.unwrap_or(0.0))?, &guard)?;
-            }
+            let drawn = self.svg.as_ref().map(|file| Ok::<_, Refused>((file, changes(&reports, &found, function)?)));
+            let over_time = self.over_time.as_ref().map(|file| {
+                if let Some(at) = reports.iter().position(|report| report.day.is_none()) {
+                    return Err(Refused::History(self.reports[at].clone(), HistoryError::NoDate));
+                }
+                let own = found.iter().filter(|change| change.function == function).filter_map(compared);
+                let most = own.max_by(|a, b| a.share().total_cmp(&b.share())).map(|most| most.clearest[0]);
+                Ok((file, over_time(&reports, function, most.unwrap_or(0.0))?))
+            });
+            let pictures = drawn.into_iter().chain(over_time).collect::<Result<Vec<_>, Refused>>()?;
+            let guard = Guard { inputs: self.reports.clone(), force: self.force };
+            pictures.iter().try_for_each(|(file, _)| guard.admits(file))?;
+            pictures.iter().try_for_each(|(file, svg)| write_picture(file, svg, &guard))?;
         }
         Ok(print(&match self.json {
             true => format!("{:#}\n", object(&reports, &found)),
@@ -89,11 +94,14 @@ fn text(reports: &[Reported], found: &[Change]) -> String {
         let _ = write!(out, "  {function} in {}: ", reports[*report].name);
         let _ = match outcome {
             Outcome::Compared(own) => {
-                let [at, difference, u95] = own.largest;
+                let point =
+                    |[at, difference, u95]: [f64; 3]| format!("{difference:+.3} ± {u95:.3} {unit} at {at} {across}");
                 let words = if own.changed() { "changed" } else { "no change beyond the uncertainty" };
                 writeln!(
                     out,
-                    "{words}; most at {at} {across}: {difference:+.3} ± {u95:.3} {unit} (95 %); beyond ± at {} of {} points",
+                    "{words}; largest {}, clearest for its uncertainty {} (95 %); beyond ± at {} of {} points",
+                    point(own.largest),
+                    point(own.clearest),
                     own.beyond,
                     own.points.len()
                 )
@@ -121,6 +129,7 @@ fn object(reports: &[Reported], found: &[Change]) -> Value {
                 one["allowed"] = json!(own.allowed);
                 one["beyond"] = json!(own.beyond);
                 one["largest"] = point(&own.largest);
+                one["clearest"] = point(&own.clearest);
                 one["points"] = own.points.iter().map(point).collect();
             }
             Outcome::OtherSums(sums) => one["not_comparable"] = json!(sums),

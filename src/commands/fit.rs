@@ -55,16 +55,17 @@ impl FitArguments {
                 out = format!("{document:#}\n");
             }
         }
-        if let Some(directory) = &self.csv {
-            let files = curve_files(&report, directory)?;
-            if files.is_empty() {
-                return Err(StudyError::NothingEstimated.into());
-            }
-            files.write(directory, &guard)?;
+        let curves = self.csv.as_deref().map(|at| Ok::<_, Refused>((at, curve_files(&report, at)?))).transpose()?;
+        if curves.as_ref().is_some_and(|(_, files)| files.is_empty()) {
+            return Err(StudyError::NothingEstimated.into());
         }
-        if let Some(directory) = &self.pictures {
-            page::picture_files(&report).map_err(ReportError::from)?.write(directory, &guard)?;
-        }
+        let pictures = self.pictures.as_deref();
+        let drawn = |at| Ok::<_, Refused>((at, page::picture_files(&report).map_err(ReportError::from)?));
+        let sets: Vec<_> = curves.into_iter().chain(pictures.map(drawn).transpose()?).collect();
+        // All of them or none.
+        sets.iter().try_for_each(|(at, files)| files.admit(at, &guard))?;
+        self.report.admit(&guard)?;
+        sets.iter().try_for_each(|(at, files)| files.write(at, &guard))?;
         self.report.write(&guard, html)?;
         Ok(print(&out)?)
     }

@@ -3,6 +3,7 @@
 use super::circular::plane;
 use super::output::print;
 use super::predicted::range;
+use super::trimmed::trimmed;
 use super::{Refused, number};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
@@ -10,7 +11,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use trunnion::circular::{Direction, Plane};
 use trunnion::data::{Columns, Form, Guard, ImportedFile, Unit, import, native_files};
-use trunnion::import::{Cut, Feature, Stated, Trace, UnitFrom};
+use trunnion::import::{Feature, Stated, Trace, UnitFrom};
 
 /// Arguments of `import`.
 #[derive(Debug, Args)]
@@ -164,7 +165,6 @@ impl ImportArguments {
     }
 
     fn run_object(&self, trace: &Trace, name: &str) -> Value {
-        let Cut { feed: [fed_in, fed_out], overshoot: [before, after] } = trace.cut;
         let kept = trace.kept();
         let circularity = match trace.unit_from {
             UnitFrom::Circularity { readings_mm, told_mm } => Some((readings_mm, told_mm)),
@@ -182,7 +182,7 @@ impl ImportArguments {
             "circularity_mm": circularity.map(|(own, _)| own),
             "stated_circularity_mm": circularity.map(|(_, told)| told),
             "angles_from": trace.angles_from.to_string(),
-            "trimmed": { "feed_in": fed_in, "before": before, "after": after, "feed_out": fed_out },
+            "trimmed": trimmed(&trace.cut),
             "features": features(&trace.features),
         })
     }

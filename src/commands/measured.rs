@@ -157,8 +157,7 @@ impl Measured<'_> {
             other => other.into(),
         })?;
         for (file, trace) in recorded.iter().filter_map(Recorded::trace) {
-            let told: Vec<String> = trace.told().into_iter().map(|(what, words)| format!("{what}: {words}")).collect();
-            say(format_args!("note: {}: {}", seen(&file.display().to_string()), told.join("; ")));
+            say(format_args!("note: {}: {}", seen(&file.display().to_string()), trace.in_words()));
         }
         weigh(setup, &mut recorded, &weights).map_err(|e| Refused::weight(&e, &self.arguments.weights))?;
         Ok(recorded)

@@ -29,6 +29,7 @@ pub mod shell;
 mod simulated;
 mod stated;
 mod tabled;
+mod trimmed;
 
 pub use refused::Refused;
 pub use seen::seen;

@@ -50,6 +50,8 @@ pub enum Refused {
         what = .1
     )]
     Paths(PathBuf, String),
+    #[error("{file}: {what}\n  expected one run, in one direction: a file of both is given without --cw and --ccw", file = .0.display(), what = .1)]
+    OnePath(PathBuf, String),
     #[error("no length of the ball-bar\n  expected --radius MM, or a .b5r that says it")]
     NoLength,
     #[error(transparent)]

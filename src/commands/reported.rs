@@ -28,6 +28,11 @@ impl ReportArguments {
         Guard { inputs: inputs.into_iter().map(|input| input.as_ref().to_owned()).collect(), force: self.force }
     }
 
+    /// Whether it can be written, if it is asked for.
+    pub fn admit(&self, guard: &Guard) -> Result<(), WriteError> {
+        self.report.as_deref().map_or(Ok(()), |file| guard.admits(file))
+    }
+
     /// Writes it, if it is asked for.
     pub fn write(&self, guard: &Guard, page: Option<String>) -> Result<(), WriteError> {
         self.report.iter().zip(page).try_for_each(|(file, page)| write_report(file, &page, guard))

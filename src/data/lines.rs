@@ -216,6 +216,12 @@ fn numbers(
     // Some end each line with the sign that stands between fields.
     let fields = fields.strip_suffix(&[""]).filter(|fields| fields.len() == expected).unwrap_or(fields);
     let found = fields.len();
+    // Numbers may be words, too: nan.
+    let is_word = |field: &&str| field.chars().any(char::is_alphabetic) && field.parse::<f64>().is_err();
+    let no_number = |field: &&str| is_word(field) && !field.contains(|c: char| c.is_ascii_digit()) || field.is_empty();
+    if fields.iter().any(is_word) && fields.iter().all(no_number) {
+        return Err(FieldProblem::Words(shown(fields.iter().find(|field| is_word(field)).unwrap_or(&"")), expected));
+    }
     if found == 2 * expected && separator == Separator::Comma {
         return Err(FieldProblem::DecimalCommas { found, expected });
     }

@@ -12,6 +12,7 @@
 mod called;
 mod columns;
 mod curves;
+mod date;
 mod decoded;
 mod dialect;
 mod error;
@@ -43,6 +44,7 @@ mod written;
 pub use called::{Columns, ColumnsError};
 pub(crate) use columns::Wanted;
 pub use curves::curve_files;
+pub(crate) use date::day;
 pub use error::{BadLines, FieldProblem, FileError, FileProblem, HeaderProblem, LineProblem, Need};
 pub use imported::{Form, ImportedFile, import};
 pub(crate) use lines::{Line, Lines};

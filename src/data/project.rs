@@ -4,11 +4,12 @@
 //! over the model file's own, which reads it ([`Described`](trunnion_codegen::problems::Described)); here is the rest.
 
 use super::called::Columns;
+use super::date::iso_date;
 use super::made::is_of;
 use super::positions::{Positions, Stated, lines};
 use crate::study::{Estimator, MOST_WEIGHT};
-use serde::Deserialize;
-use serde::de::IgnoredAny;
+use serde::de::{Error as _, IgnoredAny};
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -54,10 +55,18 @@ pub struct MachineAtHand {
     pub serial: Option<String>,
     /// Who measured.
     pub operator: Option<String>,
-    /// When it was measured, as it stands.
+    /// When it was measured, a date of ISO 8601.
+    #[serde(default, deserialize_with = "dated")]
     pub date: Option<String>,
     /// Anything else.
     pub note: Option<String>,
+}
+
+/// A date; an empty text is none.
+fn dated<'de, D: Deserializer<'de>>(text: D) -> Result<Option<String>, D::Error> {
+    let date = String::deserialize(text)?;
+    let no_date = || D::Error::custom(format!("{date:?} is no date such as 2026-04-01 or 2026-04-01T08:00:00"));
+    if date.trim().is_empty() { Ok(None) } else { iso_date(&date).ok_or_else(no_date).map(Some) }
 }
 
 /// A run that was made.
@@ -280,6 +289,8 @@ mod tests {
             ("model = 3\n", "line 1: invalid type"),
             ("model = \"m\"\n[run.t]\nfiles = []\n", "line 3: no file"),
             ("model = \"m\"\n[run.t]\nfiles = [\"a\"]\nweight = -1\n", "line 4: weight = -1.0"),
+            ("model = \"m\"\n[machine]\ndate = \"gestern\"\n", "line 3: \"gestern\" is no date such as 2026-04-01"),
+            ("model = \"m\"\n[machine]\ndate = \"01.04.2026\"\n", "line 3: "),
             ("model = \"m\"\n[columns]\na = \"\"\n", "line 2: "),
             ("model = \"m\"\n[positions_deg]\na = [1,\n\"2\"]\n", "line 4: invalid type"),
             ("model = \"m\"\n[fit]\nestimator = \"both\"\n", "line 3: unknown variant"),

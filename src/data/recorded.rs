@@ -6,7 +6,8 @@ use super::limits::{KEPT, SAMPLES};
 use super::lines::{Line, Lines};
 use super::stamp::Stamp;
 use super::sweep::{RunColumns, check};
-use crate::import::{About, Trace, TraceSample, Wrong};
+use crate::circular::Axis;
+use crate::import::{About, ImportProblem, Trace, TraceSample, Wrong};
 use crate::study::{Recording, Sample, Setup, Weighed};
 use std::path::{Path, PathBuf};
 use trunnion_codegen::ids::RunId;
@@ -30,8 +31,6 @@ pub struct Recorded<'a> {
     stamp: Stamp,
 }
 
-/// By how much of itself the bar's length in an instrument's file may differ from the run's: a bar is known by its calibration.
-const BAR: f64 = 0.01;
 /// What the columns of a run of an instrument's file are called in messages.
 const IMPORTED: [&str; 2] = ["the arc", "READINGS"];
 
@@ -84,14 +83,15 @@ impl<'a> Recorded<'a> {
         columns: RunColumns<'a>,
         known: KnownAlong,
     ) -> Result<Self, FileError> {
-        let fail = |problem: Wrong| FileError { file: file.to_owned(), problem: problem.of_all().into() };
+        let fail = |problem: ImportProblem| FileError { file: file.to_owned(), problem: problem.into() };
         if !columns.others.is_empty() {
-            return Err(fail(Wrong::NoDisplacements));
+            return Err(fail(Wrong::NoDisplacements.of_all()));
         }
-        if let (Some(found_mm), Some(bar_mm)) = (about.bar_mm, columns.bar_mm)
-            && (found_mm - bar_mm).abs() > BAR * bar_mm
+        columns.bar_mm.map_or(Ok(()), |bar_mm| about.fits(bar_mm)).map_err(fail)?;
+        if let Some(found) = about.plane
+            && let Some(axes) = setup.other_plane(run, [Axis::First, Axis::Second].map(|axis| found.axis(axis)))
         {
-            return Err(fail(Wrong::OtherBar { found_mm, bar_mm }));
+            return Err(fail(Wrong::RunPlane { found, axes: axes.join(" and ") }.of_all()));
         }
         let line = |s: &TraceSample| Line { line: s.line, values: vec![s.angle_rad, s.reading_mm] };
         let lines = Lines::given(file, &IMPORTED, trace.kept().iter().map(line).collect());

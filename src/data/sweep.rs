@@ -63,21 +63,11 @@ impl Sweep {
     /// turns; where there are fewer than `least` angles, or more than [`SAMPLES`]; where the readings are absolute lengths or
     /// otherwise beyond a ball-bar's stroke (median, or a single one, beyond 2 mm).
     pub fn read(file: &Path, angle: &str, radius: Radius, least: usize) -> Result<Self, FileError> {
-        Self::read_as(file, &RunColumns::of(Some(angle), &NATIVE, radius, least))
-    }
-
-    /// As [`Sweep::read`], whatever the angle's column is called: `a_deg`, `angle_rad`; or as `names` say what `a` and `dr` are called.
-    ///
-    /// # Errors
-    /// As [`Sweep::read`].
-    pub fn read_circle(file: &Path, names: &Columns, radius: Radius, least: usize) -> Result<Self, FileError> {
-        Self::read_as(file, &RunColumns::of(None, names, radius, least))
-    }
-
-    fn read_as(file: &Path, expected: &RunColumns) -> Result<Self, FileError> {
+        let bar_mm = Some(radius.mm());
+        let expected = RunColumns { angle: Some(angle), reading: READING, others: &[], names: &NATIVE, bar_mm, least };
         let mut samples = Vec::new();
         let lines = Lines::open(file, &expected.wanted())?;
-        check(lines, expected, SAMPLES, |sample| samples.push(sample))?;
+        check(lines, &expected, SAMPLES, |sample| samples.push(sample))?;
         Ok(Self { file: file.to_owned(), samples })
     }
 
@@ -132,10 +122,6 @@ pub(super) fn columns(angle: &str, angle_unit: Unit, length_unit: Unit) -> [(Wan
 }
 
 impl<'a> RunColumns<'a> {
-    fn of(angle: Option<&'a str>, names: &'a Columns, radius: Radius, least: usize) -> Self {
-        Self { angle, reading: READING, others: &[], names, bar_mm: Some(radius.mm()), least }
-    }
-
     /// The columns, the angle's and the readings' first.
     pub fn wanted(&self) -> Vec<Wanted<'a>> {
         let length = |name| Wanted::new(name, deviation(Quantity::Length));

@@ -42,8 +42,10 @@ pub struct Compared {
     pub points: Vec<[f64; 3]>,
     /// Points at which the difference is larger than its uncertainty.
     pub beyond: usize,
-    /// The point with the largest difference for its uncertainty.
+    /// The point with the largest difference.
     pub largest: [f64; 3],
+    /// The point with the largest difference for its uncertainty.
+    pub clearest: [f64; 3],
     /// How many times its uncertainty a difference may be, at as many points, with a probability of 95 % that none is larger: by
     /// Bonferroni, whatever the points have in common.
     pub allowed: f64,
@@ -55,9 +57,9 @@ impl Compared {
         self.share() > self.allowed
     }
 
-    /// The largest difference over its uncertainty.
+    /// The largest of the differences over their uncertainties.
     pub fn share(&self) -> f64 {
-        share(&self.largest)
+        share(&self.clearest)
     }
 }
 
@@ -89,9 +91,10 @@ fn outcome(first: &Measured, later: &Measured) -> Outcome {
         Some([own.at, other.value - own.value, own.u95.hypot(other.u95)])
     };
     let points: Vec<[f64; 3]> = first.points.iter().filter_map(at).collect();
-    let Some(&largest) = points.iter().max_by(|a, b| share(a).total_cmp(&share(b))) else { return Outcome::Apart };
+    let most = |of: fn(&[f64; 3]) -> f64| points.iter().max_by(|a, b| of(a).total_cmp(&of(b))).copied();
+    let (Some(largest), Some(clearest)) = (most(|point| point[1].abs()), most(share)) else { return Outcome::Apart };
     let beyond = points.iter().filter(|point| share(point) > 1.0).count();
-    Outcome::Compared(Compared { beyond, largest, allowed: allowed(points.len()), points })
+    Outcome::Compared(Compared { beyond, largest, clearest, allowed: allowed(points.len()), points })
 }
 
 /// z(1 − 0.025/n) / z(0.975).

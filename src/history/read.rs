@@ -1,9 +1,9 @@
 //! Reports as `trunnion fit --json` prints them.
 
+use crate::data::day;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 use thiserror::Error;
-use toml::value::Datetime;
 
 /// A report, as far as it is compared.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +64,14 @@ pub enum HistoryError {
     /// A function of another model.
     #[error("a report of {0}, the first is one of {1}\n  expected reports of one model")]
     OtherModel(String, String),
+    /// No date where one is due.
+    #[error("measured on {0:?}\n  expected a date such as 2026-04-01 or 2026-04-01T08:00:00")]
+    Date(String),
+    /// No date of one that is drawn over time.
+    #[error(
+        "no date of this report\n  expected one in each, `date = \"2026-04-01\"` in [machine] of its project, to draw over time"
+    )]
+    NoDate,
     /// One report is no history.
     #[error("one report\n  expected two or more to compare")]
     One,
@@ -105,7 +113,9 @@ impl Reported {
             }
             let functions = file.functions.into_iter().map(measured).collect::<Result<_, _>>().map_err(format)?;
             let date = file.machine.and_then(|machine| machine.date);
-            reports.push(Self { name: name.clone(), day: date.as_deref().and_then(day), functions });
+            let dated = date.filter(|date| !date.trim().is_empty());
+            let day = dated.map(|date| day(&date).ok_or((at, HistoryError::Date(date))));
+            reports.push(Self { name: name.clone(), day: day.transpose()?, functions });
         }
         if reports.len() < 2 { Err((0, HistoryError::One)) } else { Ok(reports) }
     }
@@ -124,26 +134,4 @@ fn measured(function: Function) -> Result<Measured, String> {
     };
     let points = points.iter().map(point).collect::<Result<_, String>>()?;
     Ok(Measured { name, unit, coordinate, value_of, points })
-}
-
-/// Days from 1970-01-01 to a date of ISO 8601, in the Gregorian calendar.
-fn day(text: &str) -> Option<i64> {
-    let date = text.trim().parse::<Datetime>().ok()?.date?;
-    // The year begins in March: the leap day is its last.
-    let (month, day) = (i64::from(date.month), i64::from(date.day));
-    let year = i64::from(date.year) - i64::from(month < 3);
-    let of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
-    Some(365 * year + year.div_euclid(4) - year.div_euclid(100) + year.div_euclid(400) + of_year - 719_468)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::day;
-
-    #[test]
-    fn days_are_counted() {
-        let days = ["1970-01-01", "2000-02-29", "2000-03-01", "2026-11-29", "2026-11-29T10:00:00"].map(day);
-        assert_eq!(days, [Some(0), Some(11_016), Some(11_017), Some(20_786), Some(20_786)]);
-        assert_eq!(["", "yesterday", "2026-13-01", "10:00:00"].map(day), [None; 4]);
-    }
 }

@@ -9,7 +9,7 @@ use super::arc::Arc;
 use super::error::{FEWEST, ImportProblem, Inconclusive, NoArc, Wrong};
 use super::feed::feed_arcs;
 use super::trace::{About, AnglesFrom, Cut, Feature, Imported, Stated, Trace, TraceSample, UnitFrom};
-use super::unit::{circularity, unit};
+use super::unit::{alike, circularity};
 use super::xml::{Xml, attribute, clean, first, text};
 use crate::circular::{Direction, Plane};
 use crate::data::limits::SAMPLES;
@@ -88,17 +88,18 @@ fn plane(xml: &Xml, root: Node, stated: &Stated) -> Result<Option<Plane>, Import
     let Some(node) = first(root, "PLANE") else { return Ok(stated.plane) };
     let Some(name) = node.attribute("TEST_PLANE").and_then(clean) else { return Ok(stated.plane) };
     let line = xml.line(node);
-    let plane = Plane::named(&name).ok_or_else(|| Wrong::NoPlane(name).at(line))?;
+    let mut plane = Plane::named(&name).ok_or_else(|| Wrong::NoPlane(name).at(line))?;
     if let (Some(a), Some(b)) = (text(node, "A_AXIS_NAME"), text(node, "B_AXIS_NAME")) {
-        // An axis may have a number: X1.
+        // An axis may have a number: X1. Angles count from the first of them to the second.
         let letters: String = [&a, &b].iter().filter_map(|axis| axis.chars().next()).collect();
-        if !Plane::named(&letters).is_some_and(|axes| axes.is_along(plane)) {
-            return Err(Wrong::Axes { plane, axes: format!("{a} and {b}") }.at(line));
-        }
+        let axes = Plane::named(&letters).filter(|axes| axes.is_along(plane));
+        plane = axes.ok_or_else(|| Wrong::Axes { plane, axes: format!("{a} and {b}") }.at(line))?;
     }
     match stated.plane {
-        Some(stated) if !stated.is_along(plane) => Err(Wrong::OtherPlane { found: plane, stated }.at(line)),
-        _ => Ok(Some(plane)),
+        Some(stated) if stated == plane => Ok(Some(plane)),
+        Some(stated) if stated.is_along(plane) => Err(Wrong::Exchanged { found: plane, stated }.at(line)),
+        Some(stated) => Err(Wrong::OtherPlane { found: plane, stated }.at(line)),
+        None => Ok(Some(plane)),
     }
 }
 
@@ -206,12 +207,16 @@ fn by_circularity(run: &Run, angles: &(Arc, AnglesFrom)) -> Result<Option<(Unit,
         "UT_LENGTH_UM" => Unit::Um.to_inner(told.value),
         other => return Err(Wrong::FeatureUnit(other.to_owned()).at(told.line)),
     };
-    let as_they_stand = trace(run.clone(), (Unit::Mm, UnitFrom::Stated), angles)?;
-    let readings = circularity(as_they_stand.kept().iter().map(|s| (s.angle_rad, s.reading_mm)));
-    let unlike = Inconclusive::Unlike { readings: readings.unwrap_or(0.0), told_mm };
-    let unit = readings.ok_or(unlike).and_then(|readings| Ok((unit(readings, told_mm)?, readings)));
-    let (unit, readings) = unit.map_err(|why| Wrong::NoUnit(why).at(run.line))?;
-    Ok(Some((unit, UnitFrom::Circularity { readings_mm: unit.to_inner(readings), told_mm })))
+    // What is trimmed depends on the unit: each is tried with all that follows from it.
+    let round = |unit: Unit| {
+        let trace = trace(run.clone(), (unit, UnitFrom::Stated), angles)?;
+        Ok(circularity(trace.kept().iter().map(|s| (s.angle_rad, s.reading_mm))).unwrap_or(0.0))
+    };
+    let [in_mm, in_um] = [round(Unit::Mm)?, round(Unit::Um)?];
+    let found = [(Unit::Mm, in_mm), (Unit::Um, in_um)].into_iter().find(|(_, own)| alike(*own, told_mm));
+    let unlike = || Wrong::NoUnit(Inconclusive::Unlike { readings: in_mm, told_mm }).at(run.line);
+    let (unit, readings_mm) = found.ok_or_else(unlike)?;
+    Ok(Some((unit, UnitFrom::Circularity { readings_mm, told_mm })))
 }
 
 /// A run with its angles, in mm, and trimmed.
@@ -221,12 +226,13 @@ fn trace(
     (arc, from): &(Arc, AnglesFrom),
 ) -> Result<Trace, ImportProblem> {
     let Run { line, direction, readings, features } = run;
+    let readings: Vec<f64> = readings.iter().map(|reading| unit.to_inner(*reading)).collect();
     let feed @ [begin, end] = feed_arcs(&readings);
     let count = readings.len() - begin - end;
     let sample = |(at, reading): (usize, &f64)| {
         let along = at as f64 - begin as f64;
         let along = if direction == Direction::Counterclockwise { along } else { (count - 1) as f64 - along };
-        TraceSample { angle_rad: arc.angle_rad(along, count), reading_mm: unit.to_inner(*reading), line }
+        TraceSample { angle_rad: arc.angle_rad(along, count), reading_mm: *reading, line }
     };
     let mut trace = Trace {
         samples: readings.iter().enumerate().map(sample).collect(),
@@ -237,6 +243,6 @@ fn trace(
         angles_from: from.clone(),
         features,
     };
-    trace.trim((arc.from_deg, arc.to_deg))?;
+    trace.trim(Some((arc.from_deg, arc.to_deg)))?;
     Ok(trace)
 }

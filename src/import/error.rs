@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::circular::Plane;
+use crate::circular::{Axis, Plane};
 use crate::data::limits::{INSTRUMENT, NAMESPACES, NODES, SAMPLES, TAG};
 
 /// Fewest readings of a run: fewer are no circle.
@@ -107,14 +107,36 @@ pub enum Wrong {
         /// What was stated.
         stated: Plane,
     },
-    /// Another bar than the run's.
+    /// The same plane, its axes in the other order.
     #[error(
-        "NOMINAL_LENGTH {found_mm} mm where the run's bar has {bar_mm} mm\n  expected the file of this run, or its radius"
+        "test plane {found}\n  expected a test in the plane {stated}, as stated, whose angles count from {first} and not from {other}: \
+         state {found}",
+        first = .stated.axis(Axis::First),
+        other = .found.axis(Axis::First)
+    )]
+    Exchanged {
+        /// The file's.
+        found: Plane,
+        /// What was stated.
+        stated: Plane,
+    },
+    /// Another plane than that in which a run's axes move.
+    #[error("test plane {found}\n  expected the file of this run, which moves {axes}")]
+    RunPlane {
+        /// The file's.
+        found: Plane,
+        /// The linear axes that the run moves.
+        axes: String,
+    },
+    /// Another bar than the one stated.
+    #[error(
+        "NOMINAL_LENGTH {found_mm} mm where the radius is {bar_mm} mm\n  expected the file of a bar of that length, or the radius of \
+         this one"
     )]
     OtherBar {
         /// The file's, mm.
         found_mm: f64,
-        /// The run's, mm.
+        /// What is stated, mm.
         bar_mm: f64,
     },
     /// Readings of displacements are wanted, of which there are none.

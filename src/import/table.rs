@@ -38,7 +38,7 @@ pub fn by_passes(samples: &[TraceSample], unit: Unit, stated: &Stated) -> Result
             angles_from: AnglesFrom::Column,
             features: Vec::new(),
         };
-        stated.ends_deg.map_or(Ok(()), |ends| trace.trim(ends))?;
+        trace.trim(stated.ends_deg)?;
         Ok(trace)
     };
     parts.into_iter().map(trace).collect()

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::arc::Arc;
 use super::error::{ImportProblem, Wrong};
+use super::feed::doubtful;
 use crate::circular::{Direction, Plane};
 use trunnion_codegen::quantity::Unit;
 
@@ -59,7 +60,21 @@ pub struct About {
     pub features: Vec<Feature>,
 }
 
+/// By how much of itself the bar's length in an instrument's file may differ from another: a bar is known by its calibration.
+const BAR: f64 = 0.01;
+
 impl About {
+    /// Whether its bar may be one of a length, mm.
+    ///
+    /// # Errors
+    /// [`ImportProblem`] where it is another.
+    pub fn fits(&self, bar_mm: f64) -> Result<(), ImportProblem> {
+        match self.bar_mm.filter(|found_mm| (found_mm - bar_mm).abs() > BAR * bar_mm) {
+            Some(found_mm) => Err(Wrong::OtherBar { found_mm, bar_mm }.of_all()),
+            None => Ok(()),
+        }
+    }
+
     /// What it says, line by line: what each is called, and its words.
     pub fn lines(&self) -> Vec<(&'static str, String)> {
         let number = |value: Option<f64>, unit: &str| value.map(|value| format!("{value} {unit}"));
@@ -130,6 +145,9 @@ pub struct Cut {
     pub feed: [usize; 2],
     /// Beyond the ends of the arc.
     pub overshoot: [usize; 2],
+    /// Whether the first and the last of what is kept are so far off its circle that they may be a way to it: that cannot be
+    /// decided, and nothing is trimmed for it.
+    pub doubtful: [bool; 2],
 }
 
 /// Where the unit of readings is from.
@@ -173,8 +191,16 @@ impl Trace {
         begin..self.samples.len().saturating_sub(end)
     }
 
-    /// Trims what is beyond the ends of an arc, degrees.
-    pub(super) fn trim(&mut self, (from_deg, to_deg): (f64, f64)) -> Result<(), ImportProblem> {
+    /// Trims what is beyond the ends of an arc, degrees, where it has any, and looks at what is left.
+    pub(super) fn trim(&mut self, ends_deg: Option<(f64, f64)>) -> Result<(), ImportProblem> {
+        ends_deg.map_or(Ok(()), |ends| self.trim_to(ends))?;
+        if self.direction.is_some() {
+            self.cut.doubtful = doubtful(self.kept().iter().map(|sample| (sample.angle_rad, sample.reading_mm)));
+        }
+        Ok(())
+    }
+
+    fn trim_to(&mut self, (from_deg, to_deg): (f64, f64)) -> Result<(), ImportProblem> {
         let arc = Arc { from_deg, to_deg, overshoot_deg: 0.0 };
         let line = self.samples.first().map_or(1, |sample| sample.line);
         let [begin, end] = self.cut.feed;
@@ -201,6 +227,12 @@ impl Trace {
             ("angles", self.angles_from.to_string()),
             ("trimmed", self.cut.to_string()),
         ]
+    }
+
+    /// The same in one line.
+    pub fn in_words(&self) -> String {
+        let told = self.told().into_iter().map(|(what, words)| format!("{what}: {words}"));
+        told.collect::<Vec<_>>().join("; ")
     }
 }
 
@@ -234,13 +266,23 @@ impl fmt::Display for AnglesFrom {
 
 impl fmt::Display for Cut {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if *self == Self::default() {
-            return f.write_str("nothing");
-        }
-        let Self { feed: [fed_in, fed_out], overshoot: [before, after] } = self;
+        let Self { feed: [fed_in, fed_out], overshoot: [before, after], doubtful } = self;
         let parts =
             [(fed_in, "of the feed-in"), (before, "before the arc"), (after, "after it"), (fed_out, "of the feed-out")];
         let parts = parts.iter().filter(|(count, _)| **count > 0).map(|(count, what)| format!("{count} {what}"));
-        write!(f, "{} (samples)", parts.collect::<Vec<_>>().join(", "))
+        match parts.collect::<Vec<_>>().join(", ").as_str() {
+            "" => f.write_str("nothing")?,
+            parts => write!(f, "{parts} (samples)")?,
+        }
+        let where_ = match doubtful {
+            [false, false] => return Ok(()),
+            [true, false] => "at the beginning",
+            [false, true] => "at the end",
+            [true, true] => "at both ends",
+        };
+        write!(
+            f,
+            "; what is kept {where_} is far off the circle: whether it is a feed-in cannot be decided, see the picture"
+        )
     }
 }

@@ -102,15 +102,30 @@ impl Control {
         }
     }
 
-    /// A coordinate, mm or degrees, to a tenth of a micrometre, of a degree where the control reads that much.
-    pub(super) fn word(self, axis: &str, x: f64) -> String {
-        // No negative zero.
-        let rounded = |digits: i32| (x * 10f64.powi(digits)).round() / 10f64.powi(digits) + 0.0;
+    /// Decimals of a coordinate, mm or degrees: as many as the control reads, and no more than there is any use for. Heidenhain's
+    /// read four, Fanuc's with the least increment IS-C; with IS-B these have three.
+    pub(super) fn decimals(self) -> usize {
         match self {
-            Self::LinuxCnc => format!("{axis}{:.5}", rounded(5)),
-            Self::Sinumerik => format!("{axis}={:.5}", rounded(5)),
-            Self::Heidenhain => format!("{axis}{:+.4}", rounded(4)),
-            Self::Fanuc => format!("{axis}{:.4}", rounded(4)),
+            Self::LinuxCnc | Self::Sinumerik => 5,
+            Self::Heidenhain | Self::Fanuc => 4,
+        }
+    }
+
+    /// What a control has to be set to for that.
+    pub(super) fn needs(self) -> &'static str {
+        if self == Self::Fanuc { ", which increment system IS-C takes" } else { "" }
+    }
+
+    /// A coordinate, mm or degrees.
+    pub(super) fn word(self, axis: &str, x: f64) -> String {
+        let digits = self.decimals();
+        let scale = 10f64.powi(digits as i32);
+        // No negative zero.
+        let x = (x * scale).round() / scale + 0.0;
+        match self {
+            Self::LinuxCnc | Self::Fanuc => format!("{axis}{x:.digits$}"),
+            Self::Sinumerik => format!("{axis}={x:.digits$}"),
+            Self::Heidenhain => format!("{axis}{x:+.digits$}"),
         }
     }
 

@@ -55,6 +55,12 @@ impl Program<'_> {
         if path.overshoot > 0.0 {
             out.comment("that sweep is measured; beyond it the axes come to speed and to rest");
         }
+        out.comment(&format!(
+            "coordinates have {} decimals{}: that leaves the bar up to {:.2} um off its length",
+            control.decimals(),
+            control.needs(),
+            1e3 * self.rounding(control)
+        ));
         out.comment("the zero point is the model's: set the work offset so that these coordinates hold");
         out.comment(
             "check the kinematics' limits and that nothing collides; prove it without the bar, at low override",
@@ -66,6 +72,16 @@ impl Program<'_> {
         self.way("and back", &back, 1, &mut out);
         out.end(self.name);
         Some(out.text)
+    }
+
+    /// How far rounded coordinates take the bar off its length at most, mm: half a last digit of each linear axis together, and of
+    /// each rotary one at the farther ball.
+    fn rounding(&self, control: Control) -> f64 {
+        let half = 0.5 * 10f64.powi(-(control.decimals() as i32));
+        let of = |kind| self.path.axes.iter().filter(|(_, own)| *own == kind).count() as f64;
+        let away = |ball: &[f64; 3]| ball.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let lever = self.path.balls.iter().map(away).fold(0.0, f64::max);
+        half * (of(AxisKind::Linear).sqrt() + of(AxisKind::Rotary) * lever.to_radians())
     }
 
     /// One way along the path, that begins at one of its ends.

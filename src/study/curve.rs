@@ -29,7 +29,7 @@ pub struct Curve {
     pub coordinate: String,
     /// Unit of its coordinate: degrees or mm.
     pub coordinate_unit: Unit,
-    /// Points every 5° (or over 20 steps of a linear axis) within the range.
+    /// Points every 5° (or over 20 steps of a linear axis) within the range, and at its ends.
     pub points: Vec<CurvePoint>,
     /// Where its uncertainty is largest, and the budget there, in its unit.
     pub largest: Option<(f64, Budget)>,

@@ -3,8 +3,10 @@
 //! Nothing here reads or writes a file or a terminal.
 
 mod arrays;
+mod beyond;
 mod budget;
 mod by_direction;
+mod called;
 mod coordinates;
 mod covered;
 mod curve;
@@ -59,6 +61,7 @@ mod weighed_down;
 mod weights;
 
 pub use arrays::{ArrayError, Arrays, Column, KnownColumn};
+pub use beyond::Beyond;
 pub use budget::{
     Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, Term, coverage_factor,
 };

@@ -98,6 +98,22 @@ impl Setup {
         axes.filter(|(id, _)| is_moved(&self.model.runs[run], *id)).collect()
     }
 
+    /// The linear axes that a run moves, where its test is not one of a plane (`['X', 'Y']`); axes go by the first letters of their
+    /// names, and none is known where one has another.
+    pub fn other_plane(&self, run: RunId, plane: [char; 2]) -> Option<Vec<String>> {
+        let goes = |id: AxisId| {
+            let at = self.coordinates(run, id, &[0.0, 1.0, 2.0, 4.0]);
+            at.iter().any(|x| (x - at[0]).abs() > 1e-9)
+        };
+        let moved = self.moved(run).into_iter().filter(|(id, axis)| axis.kind == AxisKind::Linear && goes(*id));
+        let names: Vec<String> = moved.map(|(_, axis)| axis.name.clone()).collect();
+        let letters: Vec<char> = names.iter().filter_map(|name| name.chars().next()).collect();
+        let known = letters.iter().all(|letter| "XYZUVW".contains(*letter));
+        let within = letters.iter().all(|letter| plane.contains(letter));
+        let around = plane.iter().all(|letter| letters.contains(letter));
+        (known && !within && !around).then_some(names)
+    }
+
     /// The coordinates of axes at each of some sweeps.
     fn points(&self, run: RunId, axes: &[(AxisId, &Axis)], sweeps: &[f64]) -> Vec<Vec<f64>> {
         let along: Vec<Vec<f64>> = axes.iter().map(|(id, _)| self.followed(run, *id, sweeps)).collect();

@@ -1,6 +1,7 @@
 //! What a fit says: numbers with units, and what to be wary of.
 
 use super::budget::{Budget, Instrument, Sources};
+use super::called::called;
 use super::curve::{Curve, curve};
 use super::fit::{Estimator, Fit, Observation};
 use super::histogram::Histogram;
@@ -137,14 +138,7 @@ pub fn report_on(
         .iter()
         .filter_map(|f| curve(setup, observations, fit, &sources, f, &bounds, limits).transpose());
     let functions = curves.collect::<Result<Vec<Curve>, SetupError>>()?;
-    let called = |i: usize| {
-        let own = observations.get(i).map(|o| o.run);
-        let of_run = |o: &&Observation| Some(o.run) == own;
-        let times = observations.iter().filter(of_run).count();
-        let before = observations.iter().take(i).filter(of_run).count();
-        let number = if times > 1 { format!("/{}", before + 1) } else { String::new() };
-        own.map_or(number.clone(), |run| format!("{}{number}", setup.model.runs[run].name))
-    };
+    let called = |i: usize| called(setup, observations, i);
     let run = |(i, look): (usize, &Look)| (called(i), look.samples, Unit::Um.from_inner(look.rms));
     Ok(Report {
         model: setup.model.name.clone(),

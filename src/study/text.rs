@@ -81,7 +81,10 @@ impl fmt::Display for Curve {
         let head = if up_to { format!("S/{unit}") } else { format!("{}/{unit}", self.name) };
         let last = if up_to { format!("  ± as {}", self.name) } else { String::new() };
         writeln!(f, "  {at:>9} {head:>14} {:>10}{last}", "±")?;
-        for p in self.points.iter().step_by(self.points.len().div_ceil(LINES).max(1)) {
+        // The ends are always among them.
+        let (step, last) = (self.points.len().div_ceil(LINES).max(1), self.points.len().saturating_sub(1));
+        let shown = self.points.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
+        for (_, p) in shown {
             let at = if self.is_location { String::new() } else { format!("{:.1}", p.at) };
             write!(f, "  {at:>9} {:>14.digits$} {:>10.digits$}", p.value, p.sum_u95)?;
             writeln!(f, "{}", if up_to { format!("  {:>10.digits$}", p.u95) } else { String::new() })?;

@@ -32,7 +32,8 @@ pub fn between((low, high): (f64, f64), steps: usize) -> impl Iterator<Item = f6
     (0..=steps).map(move |i| low + (high - low) * i as f64 / steps.max(1) as f64)
 }
 
-/// Coordinates at which a function is tabulated, in the unit of its coordinate: every 5°, or 20 steps of a linear axis.
+/// Coordinates at which a function is tabulated, in the unit of its coordinate: every 5°, or 20 steps of a linear axis, and both
+/// ends, at which it may well be largest.
 pub fn marks((low, high): (f64, f64), unit: Unit) -> Vec<f64> {
     let (low, high) = (unit.from_inner(low), unit.from_inner(high));
     let step = if unit == Unit::Deg { 5.0 } else { (high - low) / 20.0 };
@@ -42,7 +43,14 @@ pub fn marks((low, high): (f64, f64), unit: Unit) -> Vec<f64> {
     // Rounding in degrees must not lose a point at either end.
     let slack = 1e-9 * step;
     let (first, last) = (((low - slack) / step).ceil() as i64, ((high + slack) / step).floor() as i64);
-    (first..=last).map(|i| i as f64 * step).collect()
+    let mut marks: Vec<f64> = (first..=last).map(|i| i as f64 * step).collect();
+    if marks.first().is_none_or(|mark| mark - slack > low) {
+        marks.insert(0, decimal(low));
+    }
+    if marks.last().is_none_or(|mark| mark + slack < high) {
+        marks.push(decimal(high));
+    }
+    marks
 }
 
 /// A coordinate in mm or rad, as a person has stated it in a unit.
@@ -54,4 +62,20 @@ pub fn in_unit(unit: Unit, inner: f64) -> f64 {
 pub fn decimal(x: f64) -> f64 {
     // No negative zero.
     (x * 1e9).round() / 1e9 + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_go_to_both_ends() {
+        let degrees = |low: f64, high: f64| marks((low.to_radians(), high.to_radians()), Unit::Deg);
+        assert_eq!(degrees(-7.5, 11.0), [-7.5, -5.0, 0.0, 5.0, 10.0, 11.0]);
+        assert_eq!(degrees(-5.0, 5.0), [-5.0, 0.0, 5.0]);
+        assert_eq!(degrees(1.0, 2.0), [1.0, 2.0]);
+        assert_eq!(degrees(3.0, 3.0), [3.0]);
+        let along = marks((-10.0, 105.0), Unit::Mm);
+        assert_eq!((along[0], along[along.len() - 1], along.len()), (-10.0, 105.0, 22));
+    }
 }

@@ -1,5 +1,6 @@
 //! What to be wary of in a fit.
 
+use super::beyond::{Beyond, beyond};
 use super::budget::{any_shape, without_table};
 use super::dependence::Dependence;
 use super::fit::{Fit, Observation};
@@ -59,6 +60,8 @@ pub enum Warning {
         /// Degrees or mm.
         unit: Unit,
     },
+    /// An axis was measured beyond its range.
+    BeyondRange(Beyond),
     /// Residuals are no noise.
     Misfit(Misfit),
     /// A known function was taken as zero.
@@ -105,6 +108,7 @@ impl fmt::Display for Warning {
                  outside, its polynomials are only continued",
                 interval.0, interval.1, visited.0, visited.1
             ),
+            Self::BeyondRange(beyond) => beyond.fmt(f),
             Self::Misfit(Misfit { runs, mistake, without_table, of_factor }) => {
                 let each = runs.iter().map(|Odd { run, look, times }| {
                     let (rms, r) = (Unit::Um.from_inner(look.rms), look.correlation);
@@ -167,6 +171,7 @@ pub(super) fn warnings(
         Warning::NotDetermined { function, told: seen.told(setup) }
     }));
     warnings.extend(fit.functions().iter().filter_map(|seen| conditions(setup, observations, seen.function())));
+    warnings.extend(beyond(setup, observations).into_iter().map(Warning::BeyondRange));
     let untold = without_table && !setup.known(observations.iter().map(|o| o.run)).is_empty();
     warnings.extend(misfit(setup, observations, fit, dropped, noise, untold).map(Warning::Misfit));
     if without_table {

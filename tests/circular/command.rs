@@ -107,6 +107,46 @@ fn one_file_with_both_paths_is_two_files() {
 }
 
 #[test]
+fn a_feed_in_is_trimmed_by_every_way_in_and_told() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = |name: &str, readings: &[(f64, f64)]| {
+        let lines = readings.iter().map(|(a, r)| format!("{a:.3},{r:.4}\n")).collect::<String>();
+        fs::write(directory.path().join(name), format!("a_deg,dr_um\n{lines}")).unwrap();
+        directory.path().join(name).to_str().unwrap().to_owned()
+    };
+    // 80 µm out of centre and oval by 3 µm.
+    let reading = |a: f64| 80.0 * a.to_radians().cos() + 1.5 * (2.0 * a.to_radians()).cos();
+    let circle: Vec<(f64, f64)> = (0..720).map(|i| (0.5 * f64::from(i), reading(0.5 * f64::from(i)))).collect();
+    let way = |a: f64, n: u32| (0..n).map(move |i| (a, reading(a) - 1080.0 * (1.0 - f64::from(i) / f64::from(n))));
+    let back = way(359.5, 40).collect::<Vec<_>>().into_iter().rev();
+    let fed: Vec<(f64, f64)> = way(0.0, 60).chain(circle.iter().copied()).chain(back).collect();
+    let (fed, circle) = (file("fed.csv", &fed), file("circle.csv", &circle));
+    for given in [&["--ccw", fed.as_str()][..], &[fed.as_str()]] {
+        let output = trunnion(&[given, &["--json"]].concat());
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(said.contains("fed.csv: ") && said.contains("60 of the feed-in, 40 of the feed-out"), "{said}");
+        let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let trimmed = &told["paths"][0]["trimmed"];
+        assert_eq!((&trimmed["feed_in"], &trimmed["feed_out"]), (&60.into(), &40.into()));
+        assert_eq!(succeeds(given), succeeds(&["--ccw", &circle]));
+    }
+    let output = trunnion(&["--ccw", &circle, "--feed", "1000", "--json"]);
+    assert!(output.stderr.is_empty());
+    let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        (&told["paths"][0]["trimmed"]["feed_in"], told["feed_mm_per_min"].to_string().as_str()),
+        (&0.into(), "1000.0")
+    );
+    // A path alone is one run.
+    let both = fs::read_to_string(&circle).unwrap() + &(0..300).map(|i| format!("{},0\n", 359 - i)).collect::<String>();
+    let both = {
+        fs::write(directory.path().join("both.csv"), both).unwrap();
+        directory.path().join("both.csv")
+    };
+    assert!(refused(&["--ccw", both.to_str().unwrap()]).contains("both.csv: 2 runs\n  expected one run"));
+}
+
+#[test]
 fn one_direction_is_enough_and_says_what_it_lacks() {
     let text = succeeds(&["--ccw", CCW]);
     for said in ["needs both directions", "squareness and servo mismatch", "counterclockwise"] {
@@ -137,7 +177,7 @@ fn bad_input_is_named() {
         format!("{header}\n{}", lines.collect::<String>())
     };
     assert!(refused(&["--cw", &file("short.csv", &rows("c_deg,dr_um", 60))]).contains("an arc of 59.0°"));
-    assert!(refused(&["--cw", &file("few.csv", &rows("c_deg,dr_um", 5))]).contains("5 different angle(s)"));
+    assert!(refused(&["--cw", &file("few.csv", &rows("c_deg,dr_um", 5))]).contains("a run of 5 readings"));
     assert!(refused(&["--cw", &file("unit.csv", &rows("angle,dr_um", 360))]).contains("a_deg or a_rad"));
     assert!(refused(&["--cw", &file("two.csv", &rows("a_deg,c_deg", 360))]).contains("same quantity"));
     assert!(refused(&["--cw", &file("rows.csv", &rows("a_deg,dr_um", 360).replace("9,0.9", "9,x"))]).contains(":11:"));

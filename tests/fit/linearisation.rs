@@ -15,10 +15,11 @@ fn without_noise_what_is_left_is_linearisations_and_within_its_bound() {
     for (estimator, key) in ESTIMATORS {
         let (report, curve) = set.report(estimator);
         let left = |p: &trunnion::study::CurvePoint| {
-            let truth = truth.iter().find(|t| (number(&t["a_deg"]) - p.at).abs() < 1e-9).unwrap();
-            (p.value - number(&truth["urad"])).abs()
+            // It has the multiples of 5°, not where the last sample is.
+            let truth = truth.iter().find(|t| (number(&t["a_deg"]) - p.at).abs() < 1e-9)?;
+            Some((p.value - number(&truth["urad"])).abs())
         };
-        let largest = curve.points.iter().map(left).fold(0.0, f64::max);
+        let largest = curve.points.iter().filter_map(left).fold(0.0, f64::max);
         println!("{key}: {largest:.3} µrad left, at most {:.3} by the bound", curve.neglected);
         assert!(largest > 1e-3, "linearisation leaves something");
         assert!(largest <= curve.neglected, "{key}: {largest} > {}", curve.neglected);

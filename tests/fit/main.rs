@@ -115,9 +115,11 @@ fn the_fit_is_the_least_squares_solution() {
             let degrees = u64::from(set.fit(estimator).degrees_of_freedom);
             assert_eq!(degrees, expected["degrees_of_freedom"].as_u64().unwrap(), "{name}, {key}");
             let points = expected["eps_xa_urad"].as_array().unwrap();
-            assert_eq!(curve.points.len(), points.len(), "{name}, {key}");
+            // They have the multiples of 5°, not where the last sample is.
+            let marks: Vec<_> = curve.points.iter().filter(|p| p.at % 5.0 == 0.0).collect();
+            assert_eq!(marks.len(), points.len(), "{name}, {key}");
             let (mut value, mut u95, mut coefficients, mut std) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
-            for (p, e) in curve.points.iter().zip(points) {
+            for (p, e) in marks.into_iter().zip(points) {
                 assert!((p.at - e["a_deg"].as_f64().unwrap()).abs() < 1e-12);
                 value = value.max((p.value - number(&e["value"])).abs());
                 // At 0° and 360° the function and its band are zero but for rounding.

@@ -121,8 +121,12 @@ fn a_circular_test_is_that_of_its_imported_runs() {
     succeeds(at, &["import", "test.b5r", "--out", "."]);
     let parts = ["--cw", "test-cw.csv", "--ccw", "test-ccw.csv", "--radius", "100", "--plane", "ZX", "--feed", "1500"];
     alike(&told, &object(&succeeds(at, &[&["circular", "--json"][..], &parts].concat())), 1e-9);
-    // What is stated stands over what the file says; a plane has to be the same.
-    assert_eq!(object(&succeeds(at, &["circular", "test.b5r", "--radius", "150", "--json"]))["radius_mm"], 150.0);
+    // A radius is the calibrated length of the same bar; a plane has to be the same, its axes in the same order.
+    assert_eq!(object(&succeeds(at, &["circular", "test.b5r", "--radius", "100.02", "--json"]))["radius_mm"], 100.02);
+    refused(at, &["circular", "test.b5r", "--radius", "150"], &["test.b5r: NOMINAL_LENGTH 100 mm", "150 mm"]);
+    let exchanged = ["test plane ZX", "count from X and not from Z: state ZX"];
+    refused(at, &["circular", "test.b5r", "--plane", "XZ"], &exchanged);
+    refused(at, &["import", "test.b5r", "--plane", "xz", "--out", "new"], &exchanged);
     refused(at, &["circular", "test.b5r", "--plane", "XY"], &["test.b5r:", "XY"]);
     refused(at, &["circular", "test.b5r", "--cw", "test-cw.csv"], &["--cw"]);
     refused(at, &["circular", "test-cw.csv"], &["no length of the ball-bar", "--radius"]);
@@ -135,6 +139,52 @@ fn a_circular_test_is_that_of_its_imported_runs() {
     )
     .unwrap();
     refused(at, &["circular", "no-unit.b5r"], &["no-unit.b5r", "trunnion import with --unit mm or --unit um"]);
+}
+
+#[test]
+fn what_is_trimmed_and_the_unit_do_not_depend_on_how_far_out_of_centre_the_circle_is() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    for (eccentric, way) in [(0.0, 300.0), (30.0, 300.0), (80.0, 1000.0), (150.0, 1500.0), (300.0, 1500.0)] {
+        let angle = |i: u32| (0.5 * f64::from(i)).to_radians();
+        let circle = (0..=720).map(|i| eccentric * angle(i).cos() + 1.5 * (2.0 * angle(i)).cos());
+        let ramp = |end: f64| (0..60).map(move |i| end - way + way * f64::from(i) / 60.0);
+        let end = eccentric + 1.5;
+        let um: Vec<f64> = ramp(end).chain(circle).chain(ramp(end).collect::<Vec<_>>().into_iter().rev()).collect();
+        for (unit, factor) in [("mm", 1e-3), ("um", 1.0)] {
+            let readings = um.iter().map(|um| um * factor).collect();
+            let run = Run { direction: "CCW", readings, features: circularity(3.0) };
+            fs::write(at.join("t.b5r"), document("XY 360deg", "XY", 150.0, &[run])).unwrap();
+            let told = object(&succeeds(at, &["import", "t.b5r", "--out", "new", "--json"]));
+            let run = &told["files"][0]["runs"][0];
+            assert_eq!(run["unit"], unit, "{eccentric} {way}");
+            let trimmed = ["feed_in", "feed_out"].map(|end| run["trimmed"][end].as_u64().unwrap());
+            assert_eq!(trimmed, [60, 60], "{eccentric} {way} {unit}");
+            let told = object(&succeeds(at, &["circular", "t.b5r", "--json"]));
+            let deviation = told["paths"][0]["circular_deviation"]["minimum_zone_um"].as_f64().unwrap();
+            assert!((deviation - 3.0).abs() < 0.4, "{eccentric} {way} {unit}: {deviation}");
+        }
+    }
+}
+
+#[test]
+fn a_test_of_other_axes_than_the_runs_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let at = directory.path();
+    let (um, width) = mostly_round();
+    let run = || Run { direction: "CCW", readings: um.clone(), features: circularity(width) };
+    let fit = ["fit", "tilting-table-b", "--radius", "150", "--run", "b-radial-far=t.b5r"];
+    for plane in ["XY", "YZ"] {
+        fs::write(at.join("t.b5r"), document("360deg", plane, 150.0, &[run()])).unwrap();
+        refused(
+            at,
+            &fit,
+            &[&format!("t.b5r: test plane {plane}"), "expected the file of this run, which moves X and Z"],
+        );
+    }
+    fs::write(at.join("t.b5r"), document("360deg", "ZX", 150.0, &[run()])).unwrap();
+    let output = super::trunnion(at, &fit);
+    assert!(!String::from_utf8_lossy(&output.stderr).contains("test plane"));
 }
 
 #[test]
@@ -156,7 +206,7 @@ fn an_arc_with_feed_in_and_overshoot_is_fitted_as_the_native_file() {
     }
     let arguments =
         ["import", "tilting.b5r", "separation.b5r", "--out", "runs", "--from-deg", "-20", "--to-deg", "199.5"];
-    let more = ["--overshoot-deg", "10", "--unit", "mm", "--plane", "zy", "--json"];
+    let more = ["--overshoot-deg", "10", "--unit", "mm", "--plane", "yz", "--json"];
     let told = object(&succeeds(at, &[&arguments[..], &more].concat()));
     for file in [0, 1] {
         let run = &told["files"][file]["runs"][0];

@@ -156,6 +156,11 @@ fn bad_tables_are_refused_by_name() {
         ),
         ("too few of one way", turning, "t.csv:17: a run of 5 readings"),
         ("beyond the stroke", table("a_deg,dr_mm", &|i| format!("{i},150")), "beyond the stroke of a ball-bar"),
+        (
+            "words below the table",
+            table("a_deg,dr_um", &|i| format!("{i},1")) + "END OF MEASUREMENT\nOperator,Joe\n",
+            "t.csv:22: \"END OF MEASUREMENT\" has no number\n  expected 2 numbers: delete the line, or begin it with #",
+        ),
         ("not text", "a_deg,dr_um\n0,1\n\0\n".to_owned(), "t.csv:3: this is not text"),
     ];
     let directory = tempfile::tempdir().unwrap();

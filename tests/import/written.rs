@@ -51,6 +51,23 @@ fn earlier_imports_are_replaced_and_nothing_else() {
 }
 
 #[test]
+fn a_fit_writes_all_that_is_asked_for_or_nothing() {
+    let directory = super::reference("full");
+    let at = directory.path();
+    let fit = ["--run", "tilting=tilting.csv", "--run", "separation=separation.csv"];
+    let fit = [&super::FIT[..], &fit, &super::TABLE].concat();
+    let outputs =
+        |report, csv, pictures| [&fit[..], &["--report", report, "--csv", csv, "--pictures", pictures]].concat();
+    // Whichever cannot be written, and what it would be in is made for none of them.
+    refused(at, &outputs("none/r.html", "c", "p"), &["none/r.html: cannot be written"]);
+    refused(at, &outputs("r.html", "none/c", "p"), &["none/c: ", "expected a directory"]);
+    refused(at, &outputs("r.html", "c", "none/p"), &["none/p: ", "expected a directory"]);
+    refused(at, &outputs("tilting.csv", "c", "p"), &["tilting.csv: the command reads this file"]);
+    succeeds(at, &outputs("r.html", "c", "p"));
+    assert!(["r.html", "c/eps_xa.csv", "p/eps_xa.svg"].iter().all(|file| at.join(file).is_file()), "{:?}", names(at));
+}
+
+#[test]
 fn what_a_file_says_is_no_line_of_its_own() {
     let directory = tempfile::tempdir().unwrap();
     let at = directory.path();

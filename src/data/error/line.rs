@@ -30,6 +30,9 @@ pub enum FieldProblem {
         /// What stands between the fields.
         separator: Separator,
     },
+    /// Words where numbers are due, as below a table.
+    #[error("{0:?} has no number\n  expected {1} numbers: delete the line, or begin it with # if it is a remark")]
+    Words(String, usize),
     /// Twice as many fields as columns: commas in the numbers too.
     #[error(
         "{found} fields in a file of {expected} columns: decimal commas?\n  expected decimal commas with semicolons between the numbers (1,5;12,5), or decimal points"

@@ -43,6 +43,23 @@ impl Guard {
     }
 }
 
+impl Guard {
+    /// Whether a file can be written, before anything is: what is in its place may be replaced, and there is room beside it.
+    ///
+    /// # Errors
+    /// As [`write_picture`].
+    pub fn admits(&self, file: &Path) -> Result<(), WriteError> {
+        let admitted = || match Place::of(file)? {
+            Place::Stream(_) => Ok(()),
+            Place::File(target) => {
+                self.allows(&target, own::says_so)?;
+                Stage::file(place::beside(&target, ""), &[]).map(drop)
+            }
+        };
+        admitted().map_err(|problem| WriteError { file: file.to_owned(), problem })
+    }
+}
+
 /// Writes a picture so that it is there whole or not at all: into a hidden file beside it, which then takes its name. It takes the
 /// place of an earlier picture; a symbolic link leads to what is written, a stream is written through.
 ///

@@ -88,9 +88,26 @@ impl<'a> Files<'a> {
     /// [`WriteError`] where the directory cannot be written or another process writes it; where a file is in the way that is no
     /// earlier result.
     pub fn write(&self, directory: &Path, guard: &Guard) -> Result<(), WriteError> {
+        let (out, earlier, _lock) = self.admitted(directory, guard)?;
+        self.put(&out, &earlier).map_err(|problem| WriteError { file: directory.to_owned(), problem })
+    }
+
+    /// Whether they can be written, before anything is.
+    ///
+    /// # Errors
+    /// As [`Files::write`].
+    pub fn admit(&self, directory: &Path, guard: &Guard) -> Result<(), WriteError> {
+        let (out, ..) = self.admitted(directory, guard)?;
+        let within = |refused| if out.exists() { Stage::directory(out.join(WITHIN)) } else { Err(refused) };
+        let staged = Stage::directory(beside(&out, "")).or_else(within).map(drop);
+        staged.map_err(|problem| WriteError { file: directory.to_owned(), problem })
+    }
+
+    /// The directory, held, and what it has before, all of which may be replaced.
+    fn admitted(&self, directory: &Path, guard: &Guard) -> Result<(PathBuf, Earlier, Lock), WriteError> {
         let failed = |problem| WriteError { file: directory.to_owned(), problem };
         let out = resolved(directory).map_err(failed)?;
-        let _lock = Lock::take(&out).map_err(failed)?;
+        let lock = Lock::take(&out).map_err(failed)?;
         let earlier = finish(&out).and_then(|()| Earlier::of(&out, self)).map_err(|e| failed(e.into()))?;
         for name in self.names().chain(earlier.own.iter().map(String::as_str)) {
             // A link that leads to an earlier result is not among those of the directory.
@@ -98,7 +115,7 @@ impl<'a> Files<'a> {
             let allowed = guard.allows(&out.join(name), own);
             allowed.map_err(|problem| WriteError { file: directory.join(name), problem })?;
         }
-        self.put(&out, &earlier).map_err(failed)
+        Ok((out, earlier, lock))
     }
 
     fn put(&self, out: &Path, earlier: &Earlier) -> Result<(), WriteProblem> {
@@ -228,21 +245,9 @@ impl Earlier {
     }
 }
 
-/// The directory that a name leads to, made but for itself.
+/// The directory that a name leads to, which may not be there; what it is in has to be.
 fn resolved(directory: &Path) -> Result<PathBuf, WriteProblem> {
-    let made = |directory: &Path| {
-        fs::create_dir_all(directory).map_err(|e| {
-            // What the operating system calls this, "already exists", leads nowhere.
-            let kind = if directory.is_file() { io::ErrorKind::NotADirectory } else { e.kind() };
-            WriteProblem::Directory(kind)
-        })
-    };
-    if let Some(parent) = directory.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-        made(parent)?;
-    }
-    let out = followed(directory)?;
-    match out.exists() && !out.is_dir() {
-        true => Err(WriteProblem::Directory(io::ErrorKind::NotADirectory)),
-        false => Ok(out),
-    }
+    let out = followed(directory).map_err(|e| WriteProblem::Directory(e.kind()))?;
+    let no_place = out.exists() && !out.is_dir() || out.parent().is_some_and(Path::is_file);
+    if no_place { Err(WriteProblem::Directory(io::ErrorKind::NotADirectory)) } else { Ok(out) }
 }

@@ -7,6 +7,7 @@ pub use mistakes::Mistake;
 pub use noise::Look;
 pub(super) use noise::{Looking, Sizes};
 
+use super::called::called;
 use super::fit::{Fit, Observation};
 use super::setup::Setup;
 
@@ -16,7 +17,7 @@ const MORE: f64 = 1.4;
 /// Residuals of a run that are no noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Odd {
-    /// The run.
+    /// The run, with the number of the time where it was measured several times.
     pub run: String,
     /// Its residuals.
     pub look: Look,
@@ -47,12 +48,12 @@ pub fn misfit(
     noise: f64,
     without_table: bool,
 ) -> Option<Misfit> {
-    let odd = |((o, look), dropped): ((&Observation, &Look), &f64)| {
+    let odd = |(at, (look, dropped)): (usize, (&Look, &f64))| {
         let times = (noise > 0.0).then(|| look.rms / noise.hypot(*dropped));
         let is_noise = look.is_noise(*dropped) && times.is_none_or(|times| times <= MORE);
-        (!is_noise).then(|| Odd { run: setup.model.runs[o.run].name.clone(), look: look.clone(), times })
+        (!is_noise).then(|| Odd { run: called(setup, observations, at), look: look.clone(), times })
     };
-    let runs: Vec<Odd> = observations.iter().zip(&fit.looks).zip(dropped).filter_map(odd).collect();
+    let runs: Vec<Odd> = fit.looks.iter().zip(dropped).enumerate().filter_map(odd).collect();
     if runs.is_empty() {
         return None;
     }
