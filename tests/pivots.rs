@@ -191,6 +191,18 @@ fn location_errors_are_found_and_told_in_the_terms_of_a_control() {
         assert!((0..3).all(|i| (n[i] + by[i] - leaning[i]).abs() < 2e-8), "{axis}: {by:?}");
     }
 
+    run(&["pivots", "ac-trunnion-probe", "--format", "csv", "--out", "errors.csv"], &[]);
+    let table = fs::read_to_string(at.join("errors.csv")).unwrap();
+    let mut rows = table.lines().skip_while(|line| line.starts_with('#'));
+    assert_eq!(rows.next(), Some("error,unit,value,std,u95"));
+    let mut named_rows = BTreeMap::new();
+    for row in rows {
+        let [name, unit, value, std, u95] = row.split(',').collect::<Vec<_>>()[..] else { panic!("{row}") };
+        let [value, std, u95] = [value, std, u95].map(|x| x.parse::<f64>().unwrap());
+        assert!(std > 0.0 && (u95 - named("location_errors", name, "u95")).abs() < 1e-6, "{row}");
+        named_rows.insert(name.to_owned(), value * if unit == "um" { 1e-3 } else { 1e-6 });
+    }
+    assert!(named_rows.len() == 8 && found.iter().all(|(name, value)| (named_rows[name] - value).abs() < 1e-8));
     // What the runs do not determine is not told as nothing.
     let alone: Vec<&str> = ["pivots", "ac-trunnion-probe", "--format", "sinumerik", "--json", "--out", "c.txt"].into();
     let with_c = |run: &&str| ["c-x=", "c-y=", "c-z="].iter().any(|own| run.starts_with(own));

@@ -9,7 +9,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use trunnion::data::{Guard, write_table};
 use trunnion::document;
-use trunnion::export::{Chained, Located, Pins, chain, chain_text, pins};
+use trunnion::export::{Chained, Located, Pins, chain, chain_text, named, pins};
 use trunnion::plot::MADE;
 
 /// Arguments of `pivots`.
@@ -41,13 +41,19 @@ enum Takes {
     Linuxcnc,
     /// Offsets and directions for a kinematic chain, to be entered by a person. Not verified.
     Sinumerik,
+    /// A table (CSV) of the location errors under the names of ISO 230-1, with their uncertainty.
+    Csv,
 }
 
 impl PivotArguments {
     /// Reads, fits, writes, says what was found.
     pub fn run(self) -> Result<(), Refused> {
         if let Some(pin) = self.pins.first().filter(|_| self.format != Takes::Linuxcnc) {
-            return Err(Refused::Option("pin", pin.clone(), "no effect on sinumerik\n  expected it left out"));
+            return Err(Refused::Option(
+                "pin",
+                pin.clone(),
+                "no effect on this format\n  expected it with linuxcnc alone",
+            ));
         }
         let pinned = self.pins.iter().map(|given| pin(given)).collect::<Result<Vec<_>, _>>()?;
         let measured = self.measured.measured()?;
@@ -68,6 +74,7 @@ impl PivotArguments {
         let taken = match self.format {
             Takes::Linuxcnc => Taken::Linuxcnc(pins(model, &located, &pinned)?),
             Takes::Sinumerik => Taken::Sinumerik(chain(model, &located)),
+            Takes::Csv => Taken::Csv,
         };
         let mut notes =
             vec![format!("{MADE} trunnion {}, model {}: where its axes are", env!("CARGO_PKG_VERSION"), model.name)];
@@ -75,6 +82,8 @@ impl PivotArguments {
         let text = match &taken {
             Taken::Linuxcnc(pins) => pins.text(&notes),
             Taken::Sinumerik(chain) => chain_text(chain, &notes),
+            // The rows say what the notes behind the first would.
+            Taken::Csv => named(&located, &notes[..1]),
         };
         for warning in &report.warnings {
             say(format_args!("warning: {warning}"));
@@ -112,6 +121,7 @@ impl PivotArguments {
 enum Taken {
     Linuxcnc(Pins),
     Sinumerik(Vec<Chained>),
+    Csv,
 }
 
 impl Taken {

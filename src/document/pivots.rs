@@ -11,7 +11,7 @@ pub fn pivots(file: &str, located: &Located, pins: Option<&Pins>, chain: &[Chain
     if let Some(own) = pins {
         object["kinematics"] = json!(own.module);
         object["pins"] = own.pins.iter().map(pin).collect();
-    } else {
+    } else if !chain.is_empty() {
         object["chain"] = chain.iter().map(chained).collect();
     }
     object

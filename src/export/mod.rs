@@ -22,7 +22,7 @@ pub use facts::{Between, Ends, Facts, Resolution, Verified};
 pub use format::{AllFormat, Format, OneFormat};
 pub use grid::{Grid, GridError};
 pub use iso::Constant;
-pub use pivots::{Added, Chained, Estimate, Located, NoPivots, Pin, Pins, chain, chain_text, pins};
+pub use pivots::{Added, Chained, Estimate, Located, NoPivots, Pin, Pins, chain, chain_text, named, pins};
 pub use table::{NoAxis, Subject, Table, TakenOff};
 pub use warning::{Warning, warnings};
 pub use written::{Kept, Written, left};

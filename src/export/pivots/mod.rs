@@ -2,8 +2,10 @@
 
 mod linuxcnc;
 mod located;
+mod named;
 mod sinumerik;
 
 pub use linuxcnc::{NoPivots, Pin, Pins, pins};
 pub use located::{Estimate, Located};
+pub use named::named;
 pub use sinumerik::{Added, Chained, chain, text as chain_text};
