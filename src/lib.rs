@@ -16,7 +16,7 @@
 //! println!("{report}");
 //!
 //! let eps_xa = &report.functions[0];
-//! assert_eq!((eps_xa.name.as_str(), eps_xa.unit, eps_xa.points.len()), ("eps_xa", data::Unit::Urad, 72));
+//! assert_eq!((eps_xa.name.as_str(), eps_xa.unit, eps_xa.points.len()), ("eps_xa", data::Unit::Urad, 73));
 //! # Ok(())
 //! # }
 //! ```

@@ -61,8 +61,11 @@ fn a_table_is_written_and_told() {
     let fit = succeeds(directory.path(), &[&["fit", "tilting-table-a", "--json"], &RUNS[..]].concat());
     let fit: Value = serde_json::from_str(&fit).unwrap();
     let trim = readers::linuxcnc(&table).unwrap();
-    for point in fit["functions"][0]["points"].as_array().unwrap().iter().step_by(4) {
+    for point in fit["functions"][0]["points"].as_array().unwrap() {
         let (at, value) = (point["a_deg"].as_f64().unwrap(), point["value"].as_f64().unwrap());
+        if at % 4.0 != 0.0 {
+            continue;
+        }
         let taken = -trim(at, true).to_radians() * 1e6;
         assert!((taken - value).abs() < 1e-4, "{at}: {taken} {value}");
     }
