@@ -58,13 +58,18 @@ fn a_fit_writes_all_that_is_asked_for_or_nothing() {
     let fit = [&super::FIT[..], &fit, &super::TABLE].concat();
     let outputs =
         |report, csv, pictures| [&fit[..], &["--report", report, "--csv", csv, "--pictures", pictures]].concat();
-    // Whichever cannot be written, and what it would be in is made for none of them.
-    refused(at, &outputs("none/r.html", "c", "p"), &["none/r.html: cannot be written"]);
-    refused(at, &outputs("r.html", "none/c", "p"), &["none/c: ", "expected a directory"]);
-    refused(at, &outputs("r.html", "c", "none/p"), &["none/p: ", "expected a directory"]);
-    refused(at, &outputs("tilting.csv", "c", "p"), &["tilting.csv: the command reads this file"]);
-    succeeds(at, &outputs("r.html", "c", "p"));
-    assert!(["r.html", "c/eps_xa.csv", "p/eps_xa.svg"].iter().all(|file| at.join(file).is_file()), "{:?}", names(at));
+    // Directories are made, with what they are in, but where one of all cannot be written.
+    refused(at, &outputs("none/r.html", "new/c", "p"), &["none/r.html: cannot be written"]);
+    refused(at, &outputs("r.html", "tilting.csv/c", "new/p"), &["tilting.csv/c: ", "expected a directory"]);
+    refused(at, &outputs("r.html", "new/c", "tilting.csv/new/p"), &["tilting.csv/new/p: ", "expected a directory"]);
+    refused(at, &outputs("tilting.csv", "c", "new/p"), &["tilting.csv: the command reads this file"]);
+    assert!(["r.html", "c", "p", "new"].iter().all(|name| !at.join(name).exists()), "{:?}", names(at));
+    succeeds(at, &outputs("r.html", "new/c", "p"));
+    assert!(
+        ["r.html", "new/c/eps_xa.csv", "p/eps_xa.svg"].iter().all(|file| at.join(file).is_file()),
+        "{:?}",
+        names(at)
+    );
 }
 
 #[test]

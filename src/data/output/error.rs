@@ -24,8 +24,8 @@ pub enum WriteProblem {
     /// The operating system refuses.
     #[error("cannot be written: {kind}\n  {remedy}", kind = .0, remedy = remedy(*.0))]
     Refused(io::ErrorKind),
-    /// There is no such directory, and none can be made: what it would be in is not there.
-    #[error("{0}\n  expected a directory that can be written, or a new name in one that is there")]
+    /// There is no such directory, and none can be made.
+    #[error("{0}\n  expected a directory that can be written, or a name for a new one")]
     Directory(io::ErrorKind),
     /// A directory or a block device.
     #[error("this is no file\n  expected the name of a file, or of a stream such as /dev/stdout")]

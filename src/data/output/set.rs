@@ -97,9 +97,16 @@ impl<'a> Files<'a> {
     /// # Errors
     /// As [`Files::write`].
     pub fn admit(&self, directory: &Path, guard: &Guard) -> Result<(), WriteError> {
-        let (out, ..) = self.admitted(directory, guard)?;
-        let within = |refused| if out.exists() { Stage::directory(out.join(WITHIN)) } else { Err(refused) };
-        let staged = Stage::directory(beside(&out, "")).or_else(within).map(drop);
+        let staged = match missing_in(directory) {
+            // What it is in is made when it is written, and nothing is there to be replaced.
+            Some(there) if !there.is_dir() => Err(WriteProblem::Directory(io::ErrorKind::NotADirectory)),
+            Some(there) => Stage::directory(there.join(WITHIN)).map(drop),
+            None => {
+                let (out, ..) = self.admitted(directory, guard)?;
+                let within = |refused| if out.exists() { Stage::directory(out.join(WITHIN)) } else { Err(refused) };
+                Stage::directory(beside(&out, "")).or_else(within).map(drop)
+            }
+        };
         staged.map_err(|problem| WriteError { file: directory.to_owned(), problem })
     }
 
@@ -245,9 +252,30 @@ impl Earlier {
     }
 }
 
-/// The directory that a name leads to, which may not be there; what it is in has to be.
+/// The nearest of the directories above one that is there, if that is not the one that it is in.
+fn missing_in(directory: &Path) -> Option<&Path> {
+    let mut above = directory.ancestors().skip(1).filter(|above| !above.as_os_str().is_empty());
+    if above.next().is_none_or(Path::exists) {
+        return None;
+    }
+    Some(above.find(|above| above.exists()).unwrap_or(Path::new(".")))
+}
+
+/// The directory that a name leads to, made but for itself.
 fn resolved(directory: &Path) -> Result<PathBuf, WriteProblem> {
-    let out = followed(directory).map_err(|e| WriteProblem::Directory(e.kind()))?;
-    let no_place = out.exists() && !out.is_dir() || out.parent().is_some_and(Path::is_file);
-    if no_place { Err(WriteProblem::Directory(io::ErrorKind::NotADirectory)) } else { Ok(out) }
+    let made = |directory: &Path| {
+        fs::create_dir_all(directory).map_err(|e| {
+            // What the operating system calls this, "already exists", leads nowhere.
+            let kind = if directory.is_file() { io::ErrorKind::NotADirectory } else { e.kind() };
+            WriteProblem::Directory(kind)
+        })
+    };
+    if let Some(parent) = directory.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+        made(parent)?;
+    }
+    let out = followed(directory)?;
+    match out.exists() && !out.is_dir() {
+        true => Err(WriteProblem::Directory(io::ErrorKind::NotADirectory)),
+        false => Ok(out),
+    }
 }
