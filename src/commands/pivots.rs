@@ -3,6 +3,7 @@
 use super::measured::MeasuredArguments;
 use super::output::{print, say};
 use super::pair::pair;
+use super::tabled::estimates_locations;
 use super::{Refused, number};
 use clap::{Args, ValueEnum};
 use std::fmt::Write;
@@ -64,8 +65,7 @@ impl PivotArguments {
         let sources = measured.sources(&fit, &observations);
         let located = Located::new(&measured.setup, &fit, &sources);
         if located.is_empty() {
-            let wanted = measured.setup.estimated().any(|f| model.functions[f].is_location());
-            return Err(if wanted {
+            return Err(if estimates_locations(&measured.setup) {
                 Refused::NothingDetermined(String::from("location errors"))
             } else {
                 Refused::NoLocations(model.name.clone())

@@ -262,7 +262,8 @@ impl Asked<'_> {
     }
 }
 
-fn estimates_locations(setup: &Setup) -> bool {
+/// Whether the model estimates location errors.
+pub fn estimates_locations(setup: &Setup) -> bool {
     setup.estimated().any(|f| setup.model.functions[f].is_location())
 }
 

@@ -71,8 +71,6 @@ pub struct Scattered {
 
 /// How often touches as good as stated scatter so much.
 const RARELY: f64 = 0.01;
-/// Offset, centre and radius.
-const UNKNOWNS: usize = 5;
 
 /// What something puts into a coordinate of an offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,7 +95,8 @@ impl OffsetReport {
     /// Whether the touches scatter more, about the ring and with the rotation, than what is stated of one.
     pub fn scattered(&self, gauge: &Gauge) -> Option<Scattered> {
         let residual_std = self.with_rotation.residual_std?;
-        let free = self.touches.len().checked_sub(UNKNOWNS).filter(|free| *free > 0)? as f64;
+        let unknowns = self.with_rotation.covariance.nrows();
+        let free = self.touches.len().checked_sub(unknowns).filter(|free| *free > 0)? as f64;
         let squares = free * (residual_std / gauge.touch).powi(2);
         let by_chance = ChiSquared::new(free).ok()?.sf(squares);
         (by_chance < RARELY).then_some(Scattered { residual_std, touch: gauge.touch })

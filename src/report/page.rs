@@ -9,11 +9,12 @@ use std::sync::Arc;
 use trunnion_codegen::problems::visible;
 use trunnion_codegen::quantity::Unit;
 
-const TEMPLATES: [(&str, &str); 7] = [
+const TEMPLATES: [(&str, &str); 8] = [
     ("base.html", include_str!("base.html")),
     ("style.css", include_str!("style.css")),
     ("budget.html", include_str!("budget.html")),
     ("made.html", include_str!("made.html")),
+    ("warnings.html", include_str!("warnings.html")),
     ("fit.html", include_str!("fit.html")),
     ("ring.html", include_str!("ring.html")),
     ("offset.html", include_str!("offset.html")),

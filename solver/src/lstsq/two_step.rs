@@ -69,9 +69,8 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         first: &Factor<T, F>,
         second: &Factor<T, S>,
     ) -> Result<SVector<T, P>, TwoStepError<P>> {
-        let k = first.coefficients_of_first(self.first().len()).map_err(|e| self.first_failed(e))?;
-        let e = Triangle::leading(second, self.own().len());
-        e.determined(Some(T::one())).map_err(|e| self.second_failed(e))?;
+        let (k, e) = self.determined(first, second, Some(T::one()))?;
+        let k = k.back_substitute(first.q);
         let e = e.back_substitute(self.given(second, &k).0);
         let mut coefficients = [T::zero(); P];
         scatter(&mut coefficients, self.first(), &k);
@@ -93,10 +92,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         second: &Factor<T, S>,
     ) -> Result<Sensitivity<T, P>, TwoStepError<P>> {
         let one = T::one();
-        let k = Triangle::leading(first, self.first().len());
-        k.determined(Some(one)).map_err(|e| self.first_failed(e))?;
-        let e = Triangle::leading(second, self.own().len());
-        e.determined(Some(one)).map_err(|e| self.second_failed(e))?;
+        let (k, e) = self.determined(first, second, Some(one))?;
 
         let (mut cov_k, mut cov_e) = (k.inverse(), e.inverse());
         k.covariance(&mut cov_k, one);
@@ -132,6 +128,21 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         })
     }
 
+    /// The columns that each step estimates, if its samples determine them.
+    #[inline]
+    fn determined<'a, T: Real>(
+        &self,
+        first: &'a Factor<T, F>,
+        second: &'a Factor<T, S>,
+        variance: Option<T>,
+    ) -> Result<(Triangle<'a, T, F>, Triangle<'a, T, S>), TwoStepError<P>> {
+        let k = Triangle::leading(first, self.first().len());
+        k.determined(variance).map_err(|e| self.first_failed(e))?;
+        let e = Triangle::leading(second, self.own().len());
+        e.determined(variance).map_err(|e| self.second_failed(e))?;
+        Ok((k, e))
+    }
+
     #[inline]
     fn estimate<T: Real>(
         &self,
@@ -139,10 +150,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
         second: &Factor<T, S>,
         variance: Option<T>,
     ) -> Result<Solution<T, P>, TwoStepError<P>> {
-        let k = Triangle::leading(first, self.first().len());
-        k.determined(variance).map_err(|e| self.first_failed(e))?;
-        let e = Triangle::leading(second, self.own().len());
-        e.determined(variance).map_err(|e| self.second_failed(e))?;
+        let (k, e) = self.determined(first, second, variance)?;
 
         let (mut cov_k, mut cov_e) = (k.inverse(), e.inverse());
         let residual = Residual::new(first.rss, first.samples, self.first().len());

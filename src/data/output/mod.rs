@@ -41,9 +41,7 @@ impl Guard {
             false => Err(WriteProblem::Foreign),
         }
     }
-}
 
-impl Guard {
     /// Whether a file can be written, before anything is: what is in its place may be replaced, and there is room beside it.
     ///
     /// # Errors
