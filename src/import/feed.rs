@@ -65,8 +65,8 @@ fn knee(along: &[f64], stride: usize, most: usize) -> Option<usize> {
     let slope = ahead(end) / (end - begin) as f64;
     let steep = steep.max(SLOW * slope * stride as f64);
     let end = 1 + (begin..end).rev().find(|at| step(*at) * inward > steep)?;
-    // The last of these steps lies within the way as far as it is steep.
-    let knee = end + (steep / slope) as usize;
+    // The last of these steps lies within the way as far as it is steep, but not on a way that goes nowhere.
+    let knee = end + (steep / slope).min(stride as f64) as usize;
     let length = ahead(knee);
     let waits = (0..begin).all(|at| ahead(at) <= WAITS * length);
     // A circle's course bends, but has no knee.
@@ -173,6 +173,13 @@ mod tests {
         let mut spikes = plain.clone();
         [0, 1, 618, 619].iter().for_each(|at| spikes[*at] += 0.012);
         assert_eq!(feed_arcs(&spikes), [0, 0]);
+    }
+
+    #[test]
+    fn a_way_that_goes_nowhere_is_none() {
+        let zigzag = (4..120).map(|at| if at % 2 == 0 { 1.0 } else { -1.0 } + 0.01 * at as f64);
+        let readings: Vec<f64> = [0.0, 0.0, 1.0, 0.0].into_iter().chain(zigzag).collect();
+        assert_eq!(feed_arcs(&readings), [0, 0]);
     }
 
     #[test]
