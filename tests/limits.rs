@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-const LONGEST: Duration = Duration::from_secs(10);
+const LONGEST: Duration = Duration::from_secs(60);
 
 /// Runs the program in a gigabyte, with a shell's words before it.
 fn run(directory: &Path, before: &str, arguments: &str) -> Output {

@@ -5,12 +5,14 @@ mod overview;
 mod pivots;
 mod positions;
 mod prediction;
+mod probed;
 
 pub use design::design;
 pub use overview::overview;
 pub use pivots::pivots;
 pub use positions::positions;
 pub use prediction::prediction;
+pub use probed::probed;
 
 use crate::data::{MachineAtHand, Unit};
 use crate::study::{

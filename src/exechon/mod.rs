@@ -4,6 +4,7 @@
 //! [`probe`](trunnion_solver::probe)); here it meets files, NC programs and pictures. Coordinates are those of the machine
 //! (the tool's at home) unless a name says base.
 
+mod budget;
 mod compensation;
 mod input;
 mod machine;
@@ -16,15 +17,16 @@ mod ring;
 mod simulate;
 mod solved;
 
+pub use budget::{ProbedBudget, ProbedPart, Tried};
 pub use compensation::{Compensation, CompensationError};
 pub use input::InputError;
 pub use machine::{BUILT_IN, MachineFileError, read_machine};
 pub use nc::{NcError, ring_program};
-pub use offset::{Gauge, Met, OffsetPart, OffsetReport, ReversalReport, Scattered, offset_report};
+pub use offset::{Gauge, Met, OffsetReport, ReversalReport, Scattered, offset_report};
 pub use paper::{ExperimentError, Experiments, OffsetRow, RING_CENTRES, experiments};
 pub use pictures::{PictureError, drm_map, machine_picture, offset_picture, quintic_picture, ring_picture};
 pub use plan::{Feature, PlanError, PlannedTouch, plan};
-pub use ring::{ExpandedCircle, RingError, RingReport, ring_report, ring_report_of};
+pub use ring::{ProbeKnown, RingError, RingReport, ring_report, ring_report_of};
 pub use simulate::{Probe, SimulatedTouch, simulate};
 pub use solved::{Coordinates, Path, SolvedPose, forward, inverse};
 

@@ -1,8 +1,10 @@
 //! A probe's offset from touches in a ring, with and without the dependent rotation.
 
+use super::budget::{ProbedBudget, ProbedPart, Tried, normal};
 use super::input::{InputError, TouchLine, touches};
 use super::{ALONG, rotation_at};
 use crate::data::Stamp;
+use chacha20::ChaCha8Rng;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::f64::consts::PI;
 use std::path::Path;
@@ -46,6 +48,8 @@ pub struct OffsetReport {
 /// A touch beside the ring that fits all of them best.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Met {
+    /// The spindle axis, mm.
+    pub position: [f64; 2],
     /// How far the probe was turned from its orientation at home, s − φ, rad.
     pub turned: f64,
     /// Where the ball touched, from the ring's centre, rad.
@@ -72,19 +76,6 @@ pub struct Scattered {
 /// How often touches as good as stated scatter so much.
 const RARELY: f64 = 0.01;
 
-/// What something puts into a coordinate of an offset.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OffsetPart {
-    /// Its own standard uncertainty, mm.
-    pub std: f64,
-    /// What of the coordinate's standard uncertainty is its, mm.
-    pub contribution: f64,
-    /// By how much the coordinate changes with it.
-    pub sensitivity: f64,
-    /// Of the coordinate's variance.
-    pub share: f64,
-}
-
 impl OffsetReport {
     /// Standard uncertainty of both coordinates, mm: by reversal, where there is one, else of all touches together.
     pub fn uncertainty(&self) -> [f64; 2] {
@@ -102,18 +93,37 @@ impl OffsetReport {
         (by_chance < RARELY).then_some(Scattered { residual_std, touch: gauge.touch })
     }
 
-    /// What a touch and the ring's diameter put into each of both coordinates.
-    pub fn parts(&self, gauge: &Gauge) -> [[OffsetPart; 2]; 2] {
+    /// Uncertainties of both coordinates: by reversal, where there is one, else of all touches together, which find the radius
+    /// themselves.
+    pub fn budgets(&self, gauge: &Gauge) -> [ProbedBudget; 2] {
         let all = self.uncertainty();
-        // All together find the radius themselves.
         let parts = self.reversal.map_or([all, [0.0; 2]], |own| own.parts);
-        let part = |k: usize, std: f64, contribution: f64| OffsetPart {
-            std,
-            contribution,
-            sensitivity: if std > 0.0 { contribution / std } else { 0.0 },
-            share: if all[k] > 0.0 { (contribution / all[k]).powi(2) } else { 0.0 },
+        let part = |source, quantity, std: f64, contribution: f64| {
+            ProbedPart::stated(source, quantity, 2.0 * std, if std > 0.0 { contribution / std } else { 0.0 })
         };
-        [0, 1].map(|k| [part(k, gauge.touch, parts[0][k]), part(k, 2.0 * gauge.ring, parts[1][k])])
+        [("x", 0), ("y", 1)].map(|(result, k)| {
+            let touch = part("probe", "a touch", gauge.touch, parts[0][k]);
+            ProbedBudget::new(result, vec![touch, part("ring", "its diameter", 2.0 * gauge.ring, parts[1][k])])
+        })
+    }
+
+    /// The same by trials: each touch and the ring's radius as they may have been.
+    pub fn tried(&self, gauge: &Gauge) -> Option<Tried<2>> {
+        let found = self.reversal.map_or(self.with_rotation.offset, |own| own.exact);
+        let trial = |random: &mut ChaCha8Rng| {
+            let off = gauge.ring * normal(random);
+            let touch = |met: &Met| {
+                let ((s, c), by) = (met.angle.sin_cos(), gauge.touch * normal(random));
+                Touch { position: [met.position[0] + by * c, met.position[1] + by * s], turned: met.turned }
+            };
+            let touches: Vec<Touch<f64>> = self.touches.iter().map(touch).collect();
+            let offset = match self.reversal {
+                Some(_) => reversed(&touches, gauge.radius + off)?.exact().ok()?,
+                None => offset(&touches, gauge.touch).ok()?.offset,
+            };
+            Some([offset[0] - found[0], offset[1] - found[1]])
+        };
+        Tried::new(self.touches.len(), trial)
     }
 }
 
@@ -158,7 +168,7 @@ pub fn offset_report(machine: &Machine<f64>, file: &Path, gauge: &Gauge) -> Resu
     let fits = [fit(with_rotation.clone())?, fit(spindle_alone.clone())?];
     let met = |(with, alone): (&Touch<f64>, &Touch<f64>)| {
         let [(angle, deviation), (_, of_alone)] = [(with, &fits[0]), (alone, &fits[1])].map(|(t, fit)| beside(t, fit));
-        Met { turned: with.turned, angle, deviation: [deviation, of_alone] }
+        Met { position: with.position, turned: with.turned, angle, deviation: [deviation, of_alone] }
     };
     let touches = with_rotation.iter().zip(&spindle_alone).map(met).collect();
     let [with_rotation, spindle_alone] = fits;
@@ -176,8 +186,8 @@ fn um(mm: f64) -> f64 {
     Unit::Um.from_inner(mm)
 }
 
-/// E(8) and E(9) where the touches are the paper's: both ways along x and y, then +x and +y with the spindle reversed.
-fn reversal(touches: &[Touch<f64>], gauge: &Gauge) -> Option<ReversalReport> {
+/// The paper's touches where these are they: both ways along x and y, then +x and +y with the spindle reversed.
+fn reversed(touches: &[Touch<f64>], radius: f64) -> Option<Reversal<f64>> {
     let near = |angle: f64, to: f64| ((angle - to) / 2.0).sin().abs() < 0.02;
     let at = |to: f64| touches.iter().filter(move |touch| near(touch.turned, to)).map(|touch| touch.position);
     let range = |k: usize, to: f64| {
@@ -189,7 +199,12 @@ fn reversal(touches: &[Touch<f64>], gauge: &Gauge) -> Option<ReversalReport> {
     let middle = |(low, high): (f64, f64)| (low + high) / 2.0;
     let centre = [middle(range(0, 0.0)), middle(range(1, 0.0))];
     let farthest = |k: usize| at(PI).max_by(|a, b| a[k].total_cmp(&b[k]));
-    let touches = Reversal { centre, x: farthest(0)?, y: farthest(1)?, radius: gauge.radius };
+    Some(Reversal { centre, x: farthest(0)?, y: farthest(1)?, radius })
+}
+
+/// E(8) and E(9) where the touches are the paper's.
+fn reversal(touches: &[Touch<f64>], gauge: &Gauge) -> Option<ReversalReport> {
+    let touches = reversed(touches, gauge.radius)?;
     let covariance = |touch, ring| touches.covariance(touch, ring).ok();
     let stds = |covariance: [[f64; 2]; 2]| [covariance[0][0].sqrt(), covariance[1][1].sqrt()];
     let all = covariance(gauge.touch, gauge.ring)?;

@@ -65,6 +65,7 @@ pub use beyond::Beyond;
 pub use budget::{
     Budget, COVERAGE, Combined, Detail, Distribution, Input, Instrument, Line, Source, Sources, Term, coverage_factor,
 };
+pub(crate) use budget::{Contribution as Contributing, combine, covering, student};
 pub use by_direction::{ByDirection, Failing, NotByDirection, Sided, by_direction};
 pub use covered::Covered;
 pub use curve::{Curve, CurvePoint};

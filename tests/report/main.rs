@@ -3,6 +3,7 @@
 
 mod budget;
 mod page;
+mod probed;
 #[path = "../program/mod.rs"]
 mod program;
 
@@ -97,63 +98,6 @@ fn touches(reversed: bool) -> String {
         }
     }
     lines
-}
-
-/// The paper's touches in the ring: four ways, and two with the spindle reversed, with an offset of (0.21, 0.16) mm. The spindle
-/// follows the dependent rotation, which is none at home's x.
-fn reversal() -> String {
-    let (r, [ox, oy]) = (17.0005_f64, [0.21_f64, 0.16]);
-    let [along, across] = [(r * r - oy * oy).sqrt(), (r * r - ox * ox).sqrt()];
-    let there = [[along - ox, 0.0, 0.0], [-along - ox, 0.0, 0.0], [0.0, across - oy, 0.0], [0.0, -across - oy, 0.0]];
-    let back = [[along + ox, 0.0, 180.0], [0.0, across + oy, 180.0]];
-    let lines = there.iter().chain(&back).map(|[x, y, spindle]| format!("{x},{y},-168,{spindle}\n"));
-    "x_mm,y_mm,z_mm,spindle_deg\n".to_owned() + &lines.collect::<String>()
-}
-
-#[test]
-fn ring_and_offset_have_theirs() {
-    let directory = tempfile::tempdir().unwrap();
-    let at = directory.path();
-    fs::write(at.join("touches.csv"), touches(false)).unwrap();
-    fs::write(at.join("reversed.csv"), touches(true)).unwrap();
-    let (ring, page) = reported(at, &["exechon", "ring", "touches.csv", "--json"]);
-    assert!(page.follows(&ring) > 15);
-    page.is_whole();
-    // Every touch is in its bin, worked out here from the deviations.
-    let [from, width] = ["from_um", "width_um"].map(|key| ring["histogram"][key].as_f64().unwrap());
-    let mut counts = vec![0; ring["histogram"]["counts"].as_array().unwrap().len()];
-    let deviations: Vec<f64> =
-        ring["deviations"].as_array().unwrap().iter().map(|d| 1e3 * d["deviation_mm"].as_f64().unwrap()).collect();
-    deviations.iter().for_each(|um| counts[((um - from) / width).floor() as usize] += 1);
-    assert_eq!(ring["histogram"]["counts"], serde_json::json!(counts));
-    let squares: f64 = deviations.iter().map(|um| um * um).sum();
-    assert!((ring["rms_um"].as_f64().unwrap() - (squares / 12.0).sqrt()).abs() < 1e-9);
-    assert!(page.html.contains("Histogram of the radial deviations"));
-    // Nine degrees of freedom: Student's t of 97.5 %.
-    assert!((ring["least_squares"]["coverage_factor"].as_f64().unwrap() - 2.262_157).abs() < 1e-5);
-    fs::write(at.join("paper.csv"), reversal()).unwrap();
-    let (offset, page) = reported(at, &["exechon", "offset", "reversed.csv"]);
-    assert!(page.follows(&offset) > 20);
-    page.is_whole();
-    assert!((offset["coverage_factor"].as_f64().unwrap() - 1.959_964).abs() < 1e-6);
-    // A ring that is 2 µm larger moves the offset by what the budget says, and the rows make what stands beside the result.
-    let number = |value: &Value| value.as_f64().unwrap();
-    let larger: Value =
-        serde_json::from_str(&succeeds(at, &["exechon", "offset", "paper.csv", "--diameter", "40.003"])).unwrap();
-    let (nominal, page) = reported(at, &["exechon", "offset", "paper.csv"]);
-    page.follows(&nominal);
-    page.is_whole();
-    for k in 0..2 {
-        let budget = &nominal["budgets"][k];
-        let moved = number(&larger["reversal"]["exact_mm"][k]) - number(&nominal["reversal"]["exact_mm"][k]);
-        let [touch, ring] = [0, 1].map(|row| &budget["inputs"][row]);
-        assert!((moved.abs() / 2e-3 - number(&ring["sensitivity"])).abs() < 1e-4, "{moved}");
-        let squares = [touch, ring].map(|row| (number(&row["std"]) * number(&row["sensitivity"])).powi(2));
-        let std = squares.iter().sum::<f64>().sqrt();
-        assert!((std - number(&budget["budget"]["std"])).abs() < 1e-9);
-        let told = number(&nominal["reversal"]["expanded_uncertainty_mm"][k]);
-        assert!((1e-3 * number(&budget["budget"]["u95"]) - told).abs() < 1e-12);
-    }
 }
 
 #[test]

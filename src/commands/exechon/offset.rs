@@ -9,7 +9,8 @@ use clap::{ArgGroup, Args};
 use serde_json::json;
 use std::path::PathBuf;
 use trunnion::data::Unit;
-use trunnion::exechon::{Gauge, Met, OffsetPart, OffsetReport, ReversalReport, offset_report};
+use trunnion::document;
+use trunnion::exechon::{Gauge, Met, OffsetReport, ReversalReport, offset_report};
 use trunnion::report as page;
 use trunnion::study::{COVERAGE, coverage_factor};
 use trunnion_solver::probe::OffsetFit;
@@ -91,38 +92,6 @@ impl OffsetArguments {
                 "spindle_alone_um": um(met.deviation[1]),
             })
         };
-        let input = |(source, quantity, stated): (&str, &str, f64), part: &OffsetPart| {
-            json!({
-                "source": source,
-                "quantity": quantity,
-                "distribution": "normal",
-                "bound": stated,
-                "divisor": 2.0,
-                "std": um(part.std),
-                "unit": Unit::Um.suffix(),
-                "sensitivity": part.sensitivity,
-                "contribution": um(part.contribution),
-                "degrees_of_freedom": null,
-                "share_percent": 100.0 * part.share,
-            })
-        };
-        let budget = |(coordinate, ([touch, ring], std)): (&str, ([OffsetPart; 2], f64))| {
-            json!({
-                "coordinate": coordinate,
-                "inputs": [
-                    input(("probe", "a touch", self.repeatability), &touch),
-                    input(("ring", "its diameter", self.accuracy), &ring),
-                ],
-                "correlations": { "contribution": 0.0, "share_percent": 0.0 },
-                "budget": {
-                    "std": um(std),
-                    "effective_degrees_of_freedom": null,
-                    "coverage_factor": factor,
-                    "u95": um(factor * std),
-                },
-            })
-        };
-        let budgets = ["x", "y"].into_iter().zip(found.parts(&gauge).into_iter().zip(found.uncertainty()));
         let report = json!({
             "with_dependent_rotation": fit(with_rotation),
             "spindle_angle_taken_as_it_is": fit(spindle_alone),
@@ -137,7 +106,7 @@ impl OffsetArguments {
             "touches": touches.iter().map(touch).collect::<Vec<_>>(),
             "coverage": COVERAGE,
             "coverage_factor": factor,
-            "budgets": budgets.map(budget).collect::<Vec<_>>(),
+            "budgets": document::probed(&found.budgets(&gauge), found.tried(&gauge).as_ref()),
             "made": self.report.made(&read_files(&self.which, &self.file, stamp)),
         });
         let html = self.report.is_wanted().then(|| page::offset(&report, &found)).transpose()?;

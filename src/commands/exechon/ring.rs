@@ -10,10 +10,9 @@ use serde_json::{Value, json};
 use std::path::PathBuf;
 use trunnion::data::{Stamp, Unit};
 use trunnion::document;
-use trunnion::exechon::{RingReport, ring_picture, ring_report_of};
+use trunnion::exechon::{ProbeKnown, RingReport, ring_picture, ring_report_of};
 use trunnion::report as page;
-use trunnion::study::COVERAGE;
-use trunnion_solver::circle::Scatter;
+use trunnion::study::{COVERAGE, Combined};
 
 /// Arguments of `ring`.
 #[derive(Debug, Args)]
@@ -28,6 +27,12 @@ pub struct RingArguments {
     /// The stylus ball's diameter, mm, added to the circle's: the ring is touched from inside.
     #[arg(long, value_name = "MM", default_value_t = 6.0, value_parser = number::size, allow_negative_numbers = true)]
     stylus: f64,
+    /// Accuracy of each coordinate of the probe's offset, two sigma, µm.
+    #[arg(long, value_name = "UM", default_value_t = 0.0, value_parser = number::noise, allow_negative_numbers = true, requires = "offset")]
+    offset_accuracy: f64,
+    /// Accuracy of the stylus ball's diameter, two sigma, µm.
+    #[arg(long, value_name = "UM", default_value_t = 0.0, value_parser = number::noise, allow_negative_numbers = true)]
+    stylus_accuracy: f64,
     /// Touches nearer than half of this are repeats of one place, degrees.
     #[arg(long, alias = "step", value_name = "DEG", default_value_t = 10.0, value_parser = number::step, allow_negative_numbers = true)]
     step_deg: f64,
@@ -68,11 +73,21 @@ impl RingArguments {
         let places = report.spread.iter().map(|(angle, n, mean, std)| {
             json!({ "angle_deg": angle.to_degrees(), "touches": n, "mean_mm": mean, "std_mm": std })
         });
-        let expanded = report.expanded();
+        let known = ProbeKnown {
+            offset: Unit::Um.to_inner(self.offset_accuracy),
+            stylus: Unit::Um.to_inner(self.stylus_accuracy),
+        };
+        let budgets = report.budgets(&known);
+        let tried = report.tried(&known);
+        let uncertainty = |of: fn(&Combined) -> f64| {
+            budgets.as_ref().map(|[x, y, diameter]| {
+                json!({ "centre": [of(&x.combined), of(&y.combined)], "diameter": of(&diameter.combined) })
+            })
+        };
         let deviations = report.deviations.iter();
         let deviations = deviations.map(|(at, mm)| json!({ "angle_deg": at.to_degrees(), "deviation_mm": mm }));
         json!({
-            "stated": { "stylus_mm": self.stylus, "offset_mm": self.offset, "repeats_within_deg": self.step_deg / 2.0 },
+            "stated": { "stylus_mm": self.stylus, "offset_mm": self.offset, "repeats_within_deg": self.step_deg / 2.0, "offset_accuracy_um": self.offset_accuracy, "stylus_accuracy_um": self.stylus_accuracy },
             "touches": report.deviations.len(),
             "least_squares": {
                 "centre_mm": fit.circle.centre,
@@ -80,15 +95,12 @@ impl RingArguments {
                 "diameter_mm": report.diameter(self.stylus),
                 "roundness_mm": fit.roundness(),
                 "residual_std_mm": fit.scatter.map(|scatter| scatter.residual_std),
-                "standard_uncertainty_mm": fit.scatter.map(|Scatter { covariance, .. }| json!({
-                    "centre": [covariance[(0, 0)].sqrt(), covariance[(1, 1)].sqrt()],
-                    "diameter": 2.0 * covariance[(2, 2)].sqrt(),
-                })),
+                "standard_uncertainty_mm": uncertainty(|own| own.std),
+                "expanded_uncertainty_mm": uncertainty(|own| own.expanded),
                 "degrees_of_freedom": report.degrees_of_freedom(),
-                "coverage_factor": expanded.map(|e| e.factor),
-                "expanded_uncertainty_mm": expanded.map(|e| json!({ "centre": e.centre, "diameter": e.diameter })),
             },
             "coverage": COVERAGE,
+            "budgets": budgets.as_ref().map(|budgets| document::probed(budgets, tried.as_ref())),
             "rms_um": Unit::Um.from_inner(report.rms()),
             "histogram": report.histogram().as_ref().map(document::counted),
             "deviations": deviations.collect::<Vec<_>>(),

@@ -22,6 +22,7 @@ pub use gum::{COVERAGE, Combined, Contribution, combine, coverage_factor};
 pub use input::{Detail, Distribution, Input};
 pub use instrument::Instrument;
 pub(super) use parts::any_shape;
+pub(crate) use propagated::{covering, student};
 pub use source::{Line, Source};
 pub use term::Term;
 

@@ -31,9 +31,13 @@ fn half_width(inputs: &[Input], drawn: &[f64], trials: usize) -> f64 {
             *size = off.abs();
         }
     });
-    // JCGM 101, 7.7.2: the smallest interval that holds the share.
-    let at = ((COVERAGE * sizes.len() as f64).ceil() as usize).clamp(1, sizes.len()) - 1;
-    *sizes.select_nth_unstable_by(at, f64::total_cmp).1
+    covering(&mut sizes)
+}
+
+/// The half width of the interval about nothing that holds the share of all trials, of what each is off by: JCGM 101, 7.7.2.
+pub(crate) fn covering(sizes: &mut [f64]) -> f64 {
+    let at = ((COVERAGE * sizes.len() as f64).ceil() as usize).clamp(1, sizes.len().max(1)) - 1;
+    if sizes.is_empty() { 0.0 } else { *sizes.select_nth_unstable_by(at, f64::total_cmp).1 }
 }
 
 /// What one quantity puts into the result.
@@ -48,7 +52,7 @@ fn one(input: &Input, drawn: &[f64], random: &mut impl Rng) -> f64 {
 }
 
 /// Student's t by Bailey's polar method, and Marsaglia's where the degrees of freedom are infinite (JCGM 101, C.4 and 6.4.9).
-fn student(degrees_of_freedom: Option<u32>, random: &mut impl Rng) -> f64 {
+pub(crate) fn student(degrees_of_freedom: Option<u32>, random: &mut impl Rng) -> f64 {
     let [u, v]: [f64; 2] = std::array::from_fn(|_| random.random_range(-1.0..=1.0));
     let w = u * u + v * v;
     if w >= 1.0 || w == 0.0 {
