@@ -3,12 +3,16 @@
 use crate::errors::Class;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
-use trunnion::study::{ErrorLimits, Estimator, Instrument, Variance};
+use trunnion::study::{ErrorLimits, Estimator, Instrument, Variance, set_range};
 use trunnion_codegen::model::{Model, StatedInstrument};
 use trunnion_codegen::quantity::Unit;
+
+/// Ranges of axes, degrees or mm, by the axes' names.
+pub type Ranges = BTreeMap<String, (f64, f64)>;
 
 /// A number within a range.
 pub fn within<T: PartialOrd + Display + Copy>(name: &str, value: T, range: RangeInclusive<T>) -> PyResult<T> {
@@ -50,6 +54,24 @@ pub fn range((from, to): (f64, f64)) -> PyResult<(f64, f64)> {
     } else {
         Err(PyValueError::new_err("range_deg: empty\n  expected (from, to) with from below to"))
     }
+}
+
+/// A model with the ranges of some of its axes in place of its own: degrees or mm by the axis' name.
+pub fn ranged(model: &Model, ranges: Option<Ranges>) -> PyResult<Cow<'_, Model>> {
+    let mut model = Cow::Borrowed(model);
+    for (axis, (low, high)) in ranges.into_iter().flatten() {
+        let name = format!("ranges[{axis:?}]");
+        let (low, high) = (within(&name, low, -1e5..=1e5)?, within(&name, high, -1e5..=1e5)?);
+        if low >= high {
+            return Err(PyValueError::new_err(format!("{name}: empty\n  expected (low, high) with low below high")));
+        }
+        if !set_range(model.to_mut(), &axis, [low, high]) {
+            let axes: Vec<&str> = model.axes().map(|axis| axis.name.as_str()).collect();
+            let told = format!("the machine has no axis `{axis}`\n  expected one of {}", axes.join(", "));
+            return Err(Class::Data.error(told));
+        }
+    }
+    Ok(model)
 }
 
 /// Limits of errors: those given, else the model's.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use trunnion::data::Radius;
 use trunnion::document;
 use trunnion::study::plan::{Comparison, Overview, RADII, RANGES_DEG, uniform_std};
-use trunnion::study::{ErrorLimits, Estimator, bars};
+use trunnion::study::{ErrorLimits, Estimator, bars, write_ranges};
 use trunnion_codegen::model::Model;
 use trunnion_codegen::problems::Described;
 use trunnion_codegen::quantity::Unit;
@@ -60,7 +60,8 @@ impl Compared {
         };
         let bar = first.into_iter().flat_map(|radius| bars.iter().map(move |name| (name.clone(), radius)));
         let measured = comparison.first(lengths.into_iter().chain(bar).collect(), self.limits);
-        let draft = described.draft().unwrap_or_default();
+        let mut draft = described.draft().unwrap_or_default();
+        write_ranges(model, &mut draft);
         let found = py.detach(|| {
             let found = Overview::new(&draft, model, &comparison, &measured)?;
             Ok(document::overview(&found, self.noise_um))

@@ -1,6 +1,6 @@
 //! Descriptions and what is derived from them.
 
-use crate::arguments::{Stated, instrument, limits, size, within};
+use crate::arguments::{Ranges, Stated, instrument, limits, ranged, size, within};
 use crate::compared::Compared;
 use crate::errors::{self, Class};
 use crate::object::object;
@@ -14,6 +14,7 @@ use trunnion::data::read_text;
 use trunnion::document;
 use trunnion::study::plan::design::{Asked, Measured, design, estimated};
 use trunnion::study::plan::uniform_std;
+use trunnion::study::write_ranges;
 use trunnion_codegen::catalogue;
 use trunnion_codegen::emit::c::Precision;
 use trunnion_codegen::emit::rust::{self, Support};
@@ -127,8 +128,9 @@ impl Model {
 
     /// Searches the runs for these estimated functions: the fewest placings of the balls, then the fewest runs, among the model's own
     /// and those that its machine allows. `within`: the expanded uncertainty of 95 % from all sources, µrad or µm, one for all or one
-    /// for each. `model_file` of a proposal is ready for the model file.
-    #[pyo3(signature = (functions, /, *, within=None, lengths=None, samples=360, noise_um=0.1, instrument=None, length_um=None, angle_urad=None))]
+    /// for each. `ranges`: how far axes go in place of the model's ranges, `{"A": (-30.0, 120.0)}`, degrees or mm; a `ValueError` where low
+    /// is not below high, a `DataError` of an axis that the machine has not. `model_file` of a proposal is ready for the model file.
+    #[pyo3(signature = (functions, /, *, within=None, lengths=None, ranges=None, samples=360, noise_um=0.1, instrument=None, length_um=None, angle_urad=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn plan<'py>(
         &self,
@@ -136,13 +138,14 @@ impl Model {
         functions: Vec<String>,
         within: Option<Vec<f64>>,
         lengths: Option<BTreeMap<String, f64>>,
+        ranges: Option<Ranges>,
         samples: usize,
         noise_um: f64,
         instrument: Option<Stated>,
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let model = self.model();
+        let model = &*ranged(self.model(), ranges)?;
         let refused = |e| Class::Estimate.error(e);
         let within = within.unwrap_or_default();
         if !matches!(within.len(), 0 | 1) && within.len() != functions.len() {
@@ -174,20 +177,25 @@ impl Model {
             instrument: self::instrument(model, instrument)?.0,
         };
         let asked = Asked { functions: asked, measured };
-        let found = py.detach(|| design(&self.described.draft().unwrap_or_default(), model, &asked, &|_| {}));
+        let mut draft = self.described.draft().unwrap_or_default();
+        write_ranges(model, &mut draft);
+        let found = py.detach(|| design(&draft, model, &asked, &|_| {}));
         object(py, &document::design(model, &found.map_err(refused)?))
     }
 
     /// What its runs would give, before anything is measured, with one bar or another (`radius`, mm), over one range or another
     /// (`range_deg`) and without some (`without`: lists of runs that are left out together; each in turn if none is given); which
-    /// are enough; what they confound, and which runs of the catalogue would help. From noise alone: `trunnion plan`.
-    #[pyo3(signature = (*, radius=None, lengths=None, range_deg=None, without=None, samples=360, noise_um=0.1, estimator="joint", length_um=None, angle_urad=None))]
+    /// are enough; what they confound, and which runs of the catalogue would help. Runs go as far as the ranges of their axes let them:
+    /// the model's, or those of `ranges`, `{"A": (-30.0, 120.0)}`, degrees or mm; a `ValueError` where low is not below high, a
+    /// `DataError` of an axis that the machine has not. From noise alone: `trunnion plan`.
+    #[pyo3(signature = (*, radius=None, lengths=None, ranges=None, range_deg=None, without=None, samples=360, noise_um=0.1, estimator="joint", length_um=None, angle_urad=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn compare<'py>(
         &self,
         py: Python<'py>,
         radius: Option<Vec<f64>>,
         lengths: Option<BTreeMap<String, f64>>,
+        ranges: Option<Ranges>,
         range_deg: Option<Vec<(f64, f64)>>,
         without: Option<Vec<Vec<String>>>,
         samples: usize,
@@ -196,10 +204,11 @@ impl Model {
         length_um: Option<f64>,
         angle_urad: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let limits = limits(self.model(), length_um, angle_urad)?;
+        let model = ranged(self.model(), ranges)?;
+        let limits = limits(&model, length_um, angle_urad)?;
         let (estimator, lengths) = (crate::arguments::estimator(estimator)?, lengths.unwrap_or_default());
         let compared = Compared { radius, lengths, range_deg, without, samples, noise_um, estimator, limits };
-        object(py, &compared.overview(py, &self.described, self.model())?)
+        object(py, &compared.overview(py, &self.described, &model)?)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {

@@ -1,6 +1,6 @@
 //! Where the runs of a set-up are best stopped.
 
-use crate::arguments::{size, within};
+use crate::arguments::{Ranges, ranged, size, within};
 use crate::errors::{self, Class};
 use pyo3::prelude::*;
 use serde_json::Value;
@@ -20,6 +20,7 @@ pub struct Wanted {
     pub within: Option<Vec<f64>>,
     pub step_deg: f64,
     pub noise_um: f64,
+    pub ranges: Option<Ranges>,
 }
 
 impl Wanted {
@@ -44,6 +45,9 @@ impl Wanted {
 
     /// What is proposed, as `trunnion plan --positions --json` prints it.
     pub fn propose(&self, py: Python<'_>, setup: &Setup) -> PyResult<Value> {
+        let mut reaching = setup.clone();
+        reaching.model = ranged(&setup.model, self.ranges.clone())?.into_owned();
+        let setup = &reaching;
         let functions = match &self.functions {
             None => setup.estimated().collect(),
             Some(names) => {

@@ -1,6 +1,6 @@
 //! A model with its lengths, ready to evaluate, simulate and fit.
 
-use crate::arguments::{estimator, limits, range, size, variance, within};
+use crate::arguments::{Ranges, estimator, limits, range, size, variance, within};
 use crate::errors::{self, Class};
 use crate::files::{self, Files};
 use crate::fit::Fit;
@@ -291,8 +291,10 @@ impl Setup {
     }
 
     /// The positions at which runs are best stopped (`count` of each run, or `in_all`; or the fewest that are `within`, µm or µrad, 95 %
-    /// from noise), for all functions or some, beside as many spread evenly: `trunnion plan --positions`.
-    #[pyo3(signature = (count=None, *, in_all=false, functions=None, within=None, step_deg=5.0, noise_um=0.1))]
+    /// from noise), for all functions or some, beside as many spread evenly: `trunnion plan --positions`. `ranges`: how far axes go in
+    /// place of the model's ranges, `{"A": (-45.0, 30.0)}`, degrees or mm; a `ValueError` where low is not below high, a `DataError` of an
+    /// axis that the machine has not.
+    #[pyo3(signature = (count=None, *, in_all=false, functions=None, within=None, ranges=None, step_deg=5.0, noise_um=0.1))]
     #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn positions<'py>(
         &self,
@@ -301,10 +303,11 @@ impl Setup {
         in_all: bool,
         functions: Option<Vec<String>>,
         within: Option<Vec<f64>>,
+        ranges: Option<Ranges>,
         step_deg: f64,
         noise_um: f64,
     ) -> PyResult<Bound<'py, PyAny>> {
-        object(py, &Wanted { count, in_all, functions, within, step_deg, noise_um }.propose(py, &self.setup)?)
+        object(py, &Wanted { count, in_all, functions, within, step_deg, noise_um, ranges }.propose(py, &self.setup)?)
     }
 
     /// How large the error of each estimated function gets over many drawn machines: for each its distribution, from noise, from

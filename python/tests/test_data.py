@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -173,6 +174,11 @@ def test_what_is_no_set_of_runs_is_refused(setup, runs) -> None:
         lambda: setup.model.compare(radius=[NAN]),
         lambda: setup.model.compare(range_deg=[]),
         lambda: setup.model.compare(range_deg=[(90.0, 0.0)]),
+        *[
+            lambda call=call, ranges=ranges: call(ranges=ranges)
+            for call in [setup.model.compare, partial(setup.model.plan, ["eps_xa"]), partial(setup.positions, 12)]
+            for ranges in [{"A": (30.0, -30.0)}, {"A": (30.0, 30.0)}, {"A": (NAN, 30.0)}, {"A": (0.0, 2e5)}, {"Q": (0.0, 30.0)}]
+        ],
         lambda: setup.model.compare(without=[["other"]]),
         lambda: setup.model.compare(lengths={"R": 150.0}),
         lambda: setup.model.compare(lengths={"Q": 150.0}),
@@ -192,6 +198,12 @@ def test_what_is_no_set_of_runs_is_refused(setup, runs) -> None:
             call()
     with pytest.raises(OverflowError):
         setup.simulate(samples=-1)
+    with pytest.raises(DataError, match=r"no axis `Q`\n  expected one of A, "):
+        setup.model.compare(ranges={"Q": (0.0, 30.0)})
+    with pytest.raises(ValueError, match=r"ranges\[\"A\"\]: empty"):
+        setup.model.compare(ranges={"A": (30.0, -30.0)})
+    with pytest.raises(TypeError):
+        setup.model.compare(ranges={"A": 30.0})
 
 
 def test_rows_of_nothing_and_of_not_a_number(setup) -> None:

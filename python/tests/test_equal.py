@@ -119,6 +119,31 @@ def test_a_comparison_of_bars_and_ranges(command: Command, name: str) -> None:
     assert [plan.get("refused") for plan in own["plans"]].count("no run is left") == 4
 
 
+def test_ranges_of_axes(command: Command) -> None:
+    model = trunnion.Model.from_catalogue("tilting-table-b")
+    narrow = {"B": (-30.0, 45.0), "X": (-400.0, 400.0)}
+    options = ["--range", "B=-30:45", "--range", "X=-400:400"]
+    given = {"radius": [150.0], "range_deg": [(0.0, 360.0)], "samples": 90}
+    own = model.compare(**given, ranges=narrow)
+    assert own == command.json("plan", "tilting-table-b", *options, "--radius", 150, "--range-deg", "0:360", "--samples", 90)
+    # Narrower is worse, of the runs as given and of those that are enough; the model keeps its own.
+    wide = model.compare(**given)
+    for key, number in [("plans", lambda plan: plan["functions"][0]["largest_u95"]), ("recommended", lambda own: own["best"])]:
+        assert number(own[key][0]) > 3.0 * number(wide[key][0])
+    assert model.compare(**given, ranges={}) == wide
+
+    printed = command.json("plan", "rotary-table-c", "--for", "ECC", "--samples", 90, "--range", "C=-90:90")
+    table = trunnion.Model.from_catalogue("rotary-table-c")
+    assert table.plan(["ECC"], samples=90, ranges={"C": (-90.0, 90.0)}) == printed != table.plan(["ECC"], samples=90)
+
+    cradle = trunnion.Setup.from_catalogue("ac-trunnion-probe")
+    printed = command.json("plan", "ac-trunnion-probe", "--positions", 8, "--step-deg", 10, "--range", "A=-90:15")
+    found = cradle.positions(8, step_deg=10.0, ranges={"A": (-90.0, 15.0)})
+    assert found == printed != cradle.positions(8, step_deg=10.0)
+    assert max(found["runs"][0]["proposed_deg"] + found["runs"][0]["evenly_deg"]) <= 15.0
+    assert [axis["name"] for axis in found["axes"]] == ["A", "C"]
+
+
 def test_positions(command: Command) -> None:
     setup = trunnion.Setup.from_catalogue("ac-trunnion-probe")
     printed = command.json("plan", "ac-trunnion-probe", "--positions", 20, "--in-all", "--for", "EX0C,EA0C", "--step-deg", 30)

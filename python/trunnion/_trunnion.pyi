@@ -16,6 +16,8 @@ _Runs = Mapping[str, Any]
 _Estimator = Literal["joint", "two-step"]
 # A name, or the keys of `[instrument]` in a model file.
 _Instrument = str | Mapping[str, str | float]
+# How far an axis goes, from and to, degrees or mm, by its name.
+_Ranges = Mapping[str, tuple[float, float]]
 _Unreachable = Literal["raise", "nan"]
 _Frame = Literal["machine", "base"]
 _Tilted = Literal["projected", "carried"]
@@ -48,6 +50,7 @@ class Model:
         *,
         within: Sequence[float] | None = None,
         lengths: Mapping[str, float] | None = None,
+        ranges: _Ranges | None = None,
         samples: int = 360,
         noise_um: float = 0.1,
         instrument: _Instrument | None = None,
@@ -59,6 +62,7 @@ class Model:
         *,
         radius: Sequence[float] | None = None,
         lengths: Mapping[str, float] | None = None,
+        ranges: _Ranges | None = None,
         range_deg: Sequence[tuple[float, float]] | None = None,
         without: Sequence[Sequence[str]] | None = None,
         samples: int = 360,
@@ -149,6 +153,7 @@ class Setup:
         in_all: bool = False,
         functions: Sequence[str] | None = None,
         within: Sequence[float] | None = None,
+        ranges: _Ranges | None = None,
         step_deg: float = 5.0,
         noise_um: float = 0.1,
     ) -> dict[str, Any]: ...

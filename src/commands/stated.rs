@@ -4,9 +4,9 @@ use super::Refused;
 use super::number;
 use super::pair::pair;
 use clap::Args;
-use trunnion::study::{ErrorLimits, Instrument, Setup, in_unit};
-use trunnion_codegen::model::{AxisKind, Draft, Model, StatedInstrument};
-use trunnion_codegen::quantity::{Quantity, Unit};
+use trunnion::study::{ErrorLimits, Instrument, Setup, set_range};
+use trunnion_codegen::model::{Model, StatedInstrument};
+use trunnion_codegen::quantity::Unit;
 
 /// Limits of errors.
 #[derive(Clone, Copy, Debug, Args)]
@@ -42,15 +42,6 @@ pub struct RangeArguments {
 }
 
 impl RangeArguments {
-    /// Writes a model's ranges into its draft.
-    pub fn write(&self, model: &Model, draft: &mut Draft) {
-        for axis in model.axes() {
-            let quantity = if axis.kind == AxisKind::Rotary { Quantity::Angle } else { Quantity::Length };
-            let own = draft.axes.iter_mut().filter(|own| own.name.value == axis.name);
-            own.for_each(|own| own.range = axis.range.map(|range| range.map(|x| in_unit(quantity.coordinate(), x))));
-        }
-    }
-
     /// Gives the axes their ranges.
     pub fn apply(&self, model: &mut Model) -> Result<(), Refused> {
         let mut given: Vec<&str> = Vec::new();
@@ -68,13 +59,10 @@ impl RangeArguments {
                 example: "A=-30:120",
             };
             let (name, low, high) = parsed.ok_or(not)?;
-            let names: Vec<String> = model.axes().map(|a| a.name.clone()).collect();
-            let axis = model.workpiece.iter_mut().chain(&mut model.tool).find(|a| a.name == name);
-            let Some(axis) = axis.filter(|_| !given.contains(&name)) else {
+            if given.contains(&name) || !set_range(model, name, [low, high]) {
+                let names: Vec<&str> = model.axes().map(|axis| axis.name.as_str()).collect();
                 return Err(Refused::RangeOf(text.clone(), names.join(", ")));
-            };
-            let quantity = if axis.kind == AxisKind::Rotary { Quantity::Angle } else { Quantity::Length };
-            axis.range = Some([low, high].map(|end| quantity.coordinate().to_inner(end)));
+            }
             given.push(name);
         }
         Ok(())

@@ -2,13 +2,17 @@
 
 use super::{Planned, program_file};
 use crate::program::Control;
-use crate::study::plan::Predicted;
+use crate::study::plan::rotary_axes;
 use crate::study::{Measurement, Path, Setup};
 use std::fmt::Write;
 use trunnion_codegen::algebra::at;
+use trunnion_codegen::ids::FunctionId;
 use trunnion_codegen::model::{Axis, AxisKind, Ball};
 use trunnion_codegen::problems::visible;
 use trunnion_codegen::quantity::Unit;
+
+/// The standard deviation of a reading that predictions are for, mm.
+const MICROMETRE: f64 = Unit::Um.factor();
 
 /// The text of a measuring plan: what the runs give, in which order they are made, and how.
 pub fn plan(planned: &Planned) -> String {
@@ -27,9 +31,10 @@ pub fn plan(planned: &Planned) -> String {
     );
     for function in &planned.prediction.functions {
         let name = setup.function_name(function.function);
-        let _ =
-            writeln!(out, "| {} | {} | {} |", cell(&name), valuation(planned, function), cell(&function.told.words));
+        let valuation = function.valuation(setup, MICROMETRE).map_or("–".to_owned(), |own| own.to_string());
+        let _ = writeln!(out, "| {} | {valuation} | {} |", cell(&name), cell(&function.told.words));
     }
+    out += &rotary(planned);
     out += &zero(planned.setup);
     out += "\n## The runs, in this order\n\n\
             Warm the machine up. Where the placing is the same as before, leave the balls where they are: the model counts on \
@@ -97,13 +102,35 @@ const DRIVEN: &str = "The NC programs move in straight blocks that all take the 
             bar. The\nHeidenhain programs have no time for a block but a feed for its way, which a control may take differently \
             where rotary and\nlinear axes move together.\n";
 
-/// Degrees, or µm, for each µm.
-fn valuation(planned: &Planned, function: &Predicted) -> String {
-    match function.valuation(planned.setup, Unit::Um.to_inner(1.0)) {
-        None => "–".to_owned(),
-        Some((value, Unit::Um)) => format!("{value:.4} µm/µm"),
-        Some((value, _)) => format!("{value:.6} °/µm"),
+/// One number for each rotary axis, and which of its location errors have none.
+fn rotary(planned: &Planned) -> String {
+    let setup = planned.setup;
+    let estimated: Vec<FunctionId> = setup.estimated().collect();
+    let axes = rotary_axes(setup, planned.prediction, &estimated, MICROMETRE);
+    if axes.is_empty() {
+        return String::new();
     }
+    let mut out =
+        "\nOf each rotary axis the largest valuation number of its linear and of its angular location errors:\n\n\
+                   | rotary axis | largest valuation number | of |\n|---|---:|---|\n"
+            .to_owned();
+    for own in axes {
+        let name = setup.model.axis(own.axis).map_or(String::new(), |axis| cell(&axis.name));
+        let mut row = |number: String, of: Vec<String>, words: &str| {
+            let _ = writeln!(out, "| {name} | {number} | {}{words} |", cell(&of.join(", ")));
+        };
+        let names = |of: &[FunctionId]| of.iter().map(|f| setup.function_name(*f)).collect::<Vec<_>>();
+        for largest in [&own.linear, &own.angular].into_iter().flatten() {
+            row(largest.valuation.to_string(), names(&largest.of), "");
+        }
+        let without = own.without.iter().map(|e| setup.model.alphabet.error_name(*e).to_owned()).collect();
+        for (of, words) in [(names(&own.not_determined), ": not determined"), (without, ": not estimated")] {
+            if !of.is_empty() {
+                row("–".to_owned(), of, words);
+            }
+        }
+    }
+    out
 }
 
 /// Runs of one placing together, in the order in which the placings come first.

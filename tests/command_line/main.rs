@@ -284,3 +284,18 @@ fn monte_carlo_depends_on_its_seed_alone() {
     let noise = rows(&["--noise-alone"]);
     assert!(noise.len() == 2 && noise == rows(&[]), "{noise:?}");
 }
+
+/// Which runs are enough is said of the same measurement as what all of them give.
+#[test]
+fn an_axis_range_counts_for_which_runs_are_enough() {
+    let here = tempfile::tempdir().unwrap();
+    let plan = ["plan", "tilting-table-b", "--radius", "150", "--range-deg", "0:360", "--json"];
+    let of = |more: &[&str]| {
+        let plan = object(&succeeds(here.path(), &[&plan[..], more].concat()));
+        let all = plan["plans"][0]["functions"][0]["largest_u95"].as_f64().unwrap();
+        // Coverage factors of few and of many readings.
+        assert!((plan["recommended"][0]["best"].as_f64().unwrap() / all - 1.0).abs() < 0.03, "{more:?}: {plan}");
+        all
+    };
+    assert!(of(&["--range", "B=-30:30"]) > 5.0 * of(&[]));
+}

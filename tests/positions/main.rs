@@ -1,5 +1,6 @@
 //! Positions that are proposed for a touch probe: never worse than spread evenly, the best there are, what they are said to give.
 
+mod axes;
 mod commands;
 #[path = "../program/mod.rs"]
 mod program;

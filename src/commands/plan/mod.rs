@@ -16,6 +16,7 @@ use clap::{ArgGroup, Args};
 use trunnion::data::Radius;
 use trunnion::document;
 use trunnion::study::plan::{Comparison, Overview, RADII, RANGES_DEG};
+use trunnion::study::write_ranges;
 use trunnion_codegen::model::Model;
 
 /// Arguments of `plan`.
@@ -74,8 +75,8 @@ impl PlanArguments {
         }
         // The model has just been read, so its draft can be.
         let mut draft = source.described.draft().unwrap_or_default();
+        write_ranges(&model, &mut draft);
         if !self.functions.is_empty() {
-            self.ranges.write(&model, &mut draft);
             return self.wanted(&model)?.run(&draft, &model);
         }
         let comparison = self.comparison(&model)?;

@@ -11,11 +11,10 @@ use trunnion::data::{Guard, degrees, positions_text, write_table};
 use trunnion::document;
 use trunnion::plot::MADE;
 use trunnion::study::Setup;
-use trunnion::study::plan::Predicted;
 use trunnion::study::plan::design::estimated;
 use trunnion::study::plan::positions::{Asked, Count, Proposed, propose};
+use trunnion::study::plan::{LargestValuation, Predicted, Valuation};
 use trunnion_codegen::ids::FunctionId;
-use trunnion_codegen::quantity::Unit;
 
 /// Options that have no effect on positions.
 const IDLE: [&str; 6] = ["range_deg", "without", "samples", "estimator", "length_um", "angle_urad"];
@@ -133,11 +132,7 @@ impl PositionArguments {
             let of = |own: &[Predicted]| own.iter().find(|own| own.function == function).cloned();
             let [even, own] = [&found.evenly, &found.proposed].map(|own| of(&own.prediction.functions));
             let valuation =
-                |own: &Option<Predicted>| match own.as_ref().and_then(|own| own.valuation(setup, asked.sigma)) {
-                    None => "-".to_owned(),
-                    Some((value, Unit::Um)) => format!("{value:.4} µm/µm"),
-                    Some((value, _)) => format!("{value:.6} °/µm"),
-                };
+                |own: &Option<Predicted>| valued(own.as_ref().and_then(|own| own.valuation(setup, asked.sigma)));
             let unit = setup.quantity(function).deviation();
             let u95 = own
                 .as_ref()
@@ -146,6 +141,7 @@ impl PositionArguments {
             let name = setup.function_name(function);
             let _ = writeln!(out, "  {name:8}  {:>16}  {:>16}  {u95}", valuation(&even), valuation(&own));
         }
+        out += &rotary(setup, asked, found);
         out += "\nPositions, degrees\n";
         for (at, measurement) in found.measurements.iter().enumerate() {
             for (what, chosen) in [("proposed", &found.proposed), ("evenly spread", &found.evenly)] {
@@ -159,4 +155,35 @@ impl PositionArguments {
         }
         out
     }
+}
+
+fn valued(valuation: Option<Valuation>) -> String {
+    valuation.map_or_else(|| "-".to_owned(), |own| own.to_string())
+}
+
+/// One number for each rotary axis, and which of its location errors have none.
+fn rotary(setup: &Setup, asked: &Asked, found: &Proposed) -> String {
+    let [evenly, proposed] = found.axes(setup, asked);
+    if proposed.is_empty() {
+        return String::new();
+    }
+    let mut out = "\nRotary axes: the largest valuation number of their linear, and of their angular location errors\n"
+        .to_owned();
+    let names = |of: &[FunctionId]| of.iter().map(|f| setup.function_name(*f)).collect::<Vec<_>>().join(", ");
+    for (even, own) in evenly.iter().zip(&proposed) {
+        let name = setup.model.axis(own.axis).map_or("", |axis| axis.name.as_str());
+        for (even, own) in [(&even.linear, &own.linear), (&even.angular, &own.angular)] {
+            let Some(LargestValuation { valuation, of, .. }) = own else { continue };
+            let even = valued(even.as_ref().map(|even| even.valuation));
+            let _ = writeln!(out, "  {name:8}  {even:>16}  {valuation:>16}  of {}", names(of));
+        }
+        if !own.not_determined.is_empty() {
+            let _ = writeln!(out, "  {name:8}  not determined: {}", names(&own.not_determined));
+        }
+        if !own.without.is_empty() {
+            let without: Vec<&str> = own.without.iter().map(|e| setup.model.alphabet.error_name(*e)).collect();
+            let _ = writeln!(out, "  {name:8}  without {}", without.join(", "));
+        }
+    }
+    out
 }

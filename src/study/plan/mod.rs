@@ -2,6 +2,7 @@
 //! another model would separate what these runs confound.
 
 mod added;
+mod axes;
 mod comparison;
 pub mod design;
 mod overview;
@@ -10,7 +11,8 @@ mod prediction;
 mod subset;
 
 pub use added::{Addition, additions};
+pub use axes::{LargestValuation, RotaryAxis, rotary_axes};
 pub use comparison::{Compared, Comparison, Refusal, compare};
 pub use overview::{Overview, RADII, RANGES_DEG};
-pub use prediction::{Intended, Largest, Predicted, Prediction, predict, predict_at, uniform_std};
+pub use prediction::{Intended, Largest, Predicted, Prediction, Valuation, predict, predict_at, uniform_std};
 pub use subset::subset;

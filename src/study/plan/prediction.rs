@@ -5,6 +5,7 @@
 
 use crate::study::visited::{between, sweeps, visited};
 use crate::study::{EstimateError, Estimator, Observation, Seen, Setup, Told, Variance, fit_with};
+use core::fmt;
 use trunnion_codegen::ids::{BaseId, FunctionId};
 use trunnion_codegen::quantity::{Quantity, Unit};
 use trunnion_solver::lstsq::student_t_95;
@@ -50,15 +51,39 @@ pub struct Predicted {
 }
 
 impl Predicted {
-    /// Its valuation number where it is largest, for readings of a standard deviation in mm: what each µm of that makes of it, in µm or
-    /// degrees.
-    pub fn valuation(&self, setup: &Setup, sigma: f64) -> Option<(f64, Unit)> {
+    /// Its valuation number where it is largest, for readings of a standard deviation in mm.
+    pub fn valuation(&self, setup: &Setup, sigma: f64) -> Option<Valuation> {
         let unit = match setup.quantity(self.function) {
             Quantity::Length => Unit::Um,
             Quantity::Angle => Unit::Deg,
         };
         let of_one = Unit::Um.to_inner(1.0) / sigma;
-        self.largest.map(|largest| (unit.from_inner(largest.std * of_one), unit))
+        self.largest.map(|largest| Valuation { value: unit.from_inner(largest.std * of_one), unit })
+    }
+}
+
+/// What each µm of a reading's standard deviation makes of a function's: `0.3586 µm/µm`, `0.000164 °/µm`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Valuation {
+    /// The number.
+    pub value: f64,
+    /// µm or degrees.
+    pub unit: Unit,
+}
+
+impl Valuation {
+    /// Its unit as JSON objects have it: `um/um`.
+    pub fn suffix(&self) -> String {
+        format!("{}/{}", self.unit.suffix(), Unit::Um.suffix())
+    }
+}
+
+impl fmt::Display for Valuation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&match self.unit {
+            Unit::Um => format!("{:.4} µm/µm", self.value),
+            _ => format!("{:.6} °/µm", self.value),
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::candidates::{Candidates, unread};
 use super::exchange::{First, Held};
-use crate::study::plan::{Prediction, predict_at};
+use crate::study::plan::{Prediction, RotaryAxis, predict_at, rotary_axes};
 use crate::study::{EstimateError, Estimator, Measurement, Setup};
 use std::f64::consts::TAU;
 use thiserror::Error;
@@ -96,6 +96,13 @@ pub struct Proposed {
     pub evenly: Chosen,
     /// Those that are proposed.
     pub proposed: Chosen,
+}
+
+impl Proposed {
+    /// What the evenly spread ones and the proposed ones would give of the rotary axes, the same axes in either.
+    pub fn axes(&self, setup: &Setup, asked: &Asked) -> [Vec<RotaryAxis>; 2] {
+        [&self.evenly, &self.proposed].map(|own| rotary_axes(setup, &own.prediction, &asked.functions, asked.sigma))
+    }
 }
 
 /// Positions of each run.
