@@ -63,7 +63,22 @@ pub fn least_squares<T: Real>(points: &[Point<T>]) -> Result<CircleFit<T>, Circl
         }
         last = size;
     }
-    Err(CircleError::NoConvergence)
+    // Between both sides of a line steps may go on for ever, or to either.
+    let squares = points.iter().map(|p| circle.deviation(&local(p))).fold(T::zero(), |sum, d| sum + d * d);
+    Err(if off_line(points.iter().map(local)) < squares { straight() } else { CircleError::NoConvergence })
+}
+
+/// The sum of the squared distances of points, about the middle of whose extent coordinates are, from the line that is nearest to them.
+fn off_line<T: Real>(points: impl Iterator<Item = Point<T>>) -> T {
+    let (mut n, mut sums) = (T::zero(), [T::zero(); 5]);
+    for [x, y] in points {
+        n += T::one();
+        sums.iter_mut().zip([x, y, x * x, y * y, x * y]).for_each(|(sum, value)| *sum += value);
+    }
+    let [x, y, xx, yy, xy] = sums;
+    let half = T::of(0.5);
+    let (xx, yy, xy) = (xx - x * x / n, yy - y * y / n, xy - x * y / n);
+    half * (xx + yy) - (half * (xx - yy)).hypot(xy)
 }
 
 /// Middle and half extent of the points.

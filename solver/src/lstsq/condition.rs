@@ -37,7 +37,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
         // singular value times its right singular vector.
         let mut rows = [[T::zero(); P]; P];
         for j in 0..n {
-            let root = self.dr[j][j].sqrt();
+            let root = self.d(j).sqrt();
             rows[j][j] = root / norm2[j].sqrt();
             for k in j + 1..n {
                 rows[j][k] = root * self.dr[j][k] / norm2[k].sqrt();

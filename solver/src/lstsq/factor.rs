@@ -1,5 +1,6 @@
 //! The triangular factor: samples in, constant memory.
 
+use super::rotate::low_at;
 use super::{Real, Rejected};
 use nalgebra::SVector;
 
@@ -15,7 +16,8 @@ use nalgebra::SVector;
 /// A push costs O(P²) whatever came before it, without a square root, a panic or a heap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factor<T, const P: usize> {
-    /// D on the diagonal, R above it. Below it, at `[k][j]`, what rounding has left out of R at `[j][k]`.
+    /// One over D on the diagonal, zero where D is; R above it. Below it, [where `low_at` says](low_at), what rounding has left out
+    /// of R.
     pub(super) dr: [[T; P]; P],
     pub(super) q: [T; P],
     /// What rounding has left out of q.
@@ -77,7 +79,7 @@ impl<T: Real, const P: usize> Factor<T, P> {
         if !acceptable(&row, y, weight) {
             return if weight == T::zero() && is_finite(&row, y) { Ok(()) } else { Err(refusal(&row, y, weight)) };
         }
-        self.rotate(0, row, y, weight);
+        self.rotate(0, row, y, weight.recip());
         self.samples = self.samples.saturating_add(1);
         Ok(())
     }
@@ -90,76 +92,32 @@ impl<T: Real, const P: usize> Factor<T, P> {
     pub fn merge(&mut self, other: &Self) -> Result<(), Rejected> {
         self.samples = self.samples.checked_add(other.samples).ok_or(Rejected::Overflow)?;
         for (first, (row, &y)) in other.dr.iter().zip(&other.q).enumerate() {
-            let (mut row, mut weight) = (*row, T::zero());
-            if let Some(diagonal) = row.get_mut(first) {
-                weight = core::mem::replace(diagonal, T::one());
+            let (mut row, mut v) = (*row, T::zero());
+            if let Some((diagonal, before)) = row.get_mut(..=first).and_then(|row| row.split_last_mut()) {
+                v = core::mem::replace(diagonal, T::one());
+                before.fill(T::zero());
             }
-            if weight > T::zero() {
-                self.rotate(first, row, y, weight);
+            if v > T::zero() {
+                self.rotate(first, row, y, v);
             }
         }
         self.rss += other.rss;
         Ok(())
     }
 
-    /// Rotates a weighted row into the factor; its entries before column `first` count as zero.
-    ///
-    /// Nothing overflows, so nothing has to be taken back. A rotation keeps `d rₖ² + w xₖ²` of every column k, so with
-    /// N² = 2³² [`MOST`](Real::MOST) at or above the sum of `w xₖ²` over all samples,
-    ///
-    /// ```text
-    /// |rₖ| ≤ N/√d,  |xₖ| ≤ N/√w,  d and w at or above LEAST  ⇒  |rₖ|, |xₖ| ≤ N/√LEAST
-    /// ```
-    ///
-    /// and every product below is the difference of two such numbers. In `f32` that is 2¹¹¹, in `f64` 2⁸¹⁶: what is left to
-    /// the end of the range is more than rounding adds up to.
+    /// D of column `j`: zero where there is none yet.
     #[inline(always)]
-    pub(super) fn rotate(&mut self, first: usize, mut x: [T; P], mut y: T, mut weight: T) {
-        for j in first..P {
-            let xj = x[j];
-            if xj == T::zero() {
-                continue;
-            }
-            let d = self.dr[j][j];
-            let wx = weight * xj;
-            let brought = wx * xj;
-            let sum = d + brought;
-            // A squared entry that has lost its digits to underflow counts as zero.
-            if sum <= T::LEAST {
-                continue;
-            }
-            self.dr[j][j] = sum;
-            let q = self.q[j];
-            if brought < d {
-                let per_sum = sum.recip();
-                let s = wx * per_sum;
-                weight *= d * per_sum;
-                // The old row dominates: adding a small correction to it rounds least.
-                for k in j + 1..P {
-                    let r = self.dr[j][k];
-                    x[k] -= xj * r;
-                    (self.dr[j][k], self.dr[k][j]) = add(r, s * x[k] + self.dr[k][j]);
-                }
-                y -= xj * q;
-                (self.q[j], self.q_low[j]) = add(q, s * y + self.q_low[j]);
-            } else {
-                // The new row does. The old one may be arbitrarily large beside it: it is damped before anything is added to
-                // it, and what is left of the two goes on in units of the old row.
-                let (c, s, per_x) = (d / sum, wx / sum, xj.recip());
-                for k in j + 1..P {
-                    let r = self.dr[j][k];
-                    (self.dr[j][k], self.dr[k][j]) = (c * r + s * x[k], T::zero());
-                    x[k] = r - per_x * x[k];
-                }
-                (self.q[j], self.q_low[j]) = (c * q + s * y, T::zero());
-                y = q - per_x * y;
-                weight = d * (brought / sum);
-            }
-            if weight <= T::LEAST {
-                return;
-            }
+    pub(super) fn d(&self, j: usize) -> T {
+        match self.dr.get(j).and_then(|row| row.get(j)) {
+            Some(e) if *e > T::zero() => e.recip(),
+            _ => T::zero(),
         }
-        self.rss += weight * y * y;
+    }
+
+    /// What rounding has left out of R at `[j][k]`.
+    pub(super) fn low(&self, j: usize, k: usize) -> T {
+        let (at, of) = low_at::<P>(j, k);
+        self.dr.get(at).and_then(|row| row.get(of)).copied().unwrap_or(T::zero())
     }
 }
 
@@ -185,12 +143,4 @@ fn refusal<T: Real, const P: usize>(row: &[T; P], y: T, weight: T) -> Rejected {
     } else {
         Rejected::Overflow
     }
-}
-
-/// The rounded sum, and what the rounding left out of it: exactly if `value` is the larger, else at least no more than
-/// rounding leaves out anyway.
-#[inline(always)]
-fn add<T: Real>(value: T, change: T) -> (T, T) {
-    let sum = value + change;
-    (sum, change - (sum - value))
 }

@@ -53,6 +53,7 @@ mod order;
 mod preconditioned;
 mod real;
 mod residual;
+mod rotate;
 mod solution;
 mod solve;
 #[cfg(feature = "sized")]

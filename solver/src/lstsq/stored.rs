@@ -1,5 +1,6 @@
 //! A factor as numbers, to be kept or sent, and from them.
 
+use super::rotate::low_at;
 use super::{Factor, Real};
 
 impl<T: Real, const P: usize> Factor<T, P> {
@@ -8,11 +9,13 @@ impl<T: Real, const P: usize> Factor<T, P> {
         n * (n + 2) + 1
     }
 
-    /// The numbers of the first `n` columns, [`stored_len`](Self::stored_len) of them: for each column its row of D and R with what
-    /// rounding has left out of R, then q and what rounding has left out of q; last the residual sum of squares.
+    /// The numbers of the first `n` columns, [`stored_len`](Self::stored_len) of them: for each column one over its D, zero where D is,
+    /// behind that its row of R, before it what rounding has left out of R in that column; then q and what rounding has left out of q; last the residual sum of squares.
     pub fn stored(&self, n: usize) -> impl Iterator<Item = T> {
         let n = n.min(P);
-        let rows = self.dr.iter().take(n).flat_map(move |row| row.iter().take(n).copied());
+        let rows = self.dr.iter().take(n).enumerate().flat_map(move |(j, row)| {
+            row.iter().take(n).enumerate().map(move |(k, &r)| if k < j { self.low(k, j) } else { r })
+        });
         let q = self.q.iter().take(n).zip(self.q_low.iter().take(n)).flat_map(|(&q, &low)| [q, low]);
         rows.chain(q).chain([self.rss])
     }
@@ -25,9 +28,10 @@ impl<T: Real, const P: usize> Factor<T, P> {
         }
         let mut factor = Self { samples, ..Self::new() };
         let mut numbers = numbers.into_iter();
-        for row in factor.dr.iter_mut().take(n) {
-            for entry in row.iter_mut().take(n) {
-                *entry = numbers.next()?;
+        for j in 0..n {
+            for k in 0..n {
+                let (at, of) = if k < j { low_at::<P>(k, j) } else { (j, k) };
+                *factor.dr.get_mut(at)?.get_mut(of)? = numbers.next()?;
             }
         }
         for (q, low) in factor.q.iter_mut().zip(&mut factor.q_low).take(n) {
@@ -46,14 +50,12 @@ impl<T: Real, const P: usize> Factor<T, P> {
         // No comparison with NaN holds.
         let within = |x: T| x >= T::zero() && x <= most;
         let rows = self.dr.iter().enumerate().all(|(j, row)| {
-            let d = row.get(j).copied().unwrap_or(T::zero());
+            let e = row.get(j).copied().unwrap_or(T::zero());
             let (q, low) = (self.q.get(j), self.q_low.get(j));
-            let above = row.iter().skip(j + 1).chain(q).chain(low);
-            // What is left out of R stands below the diagonal, in the column of its row.
-            let below = self.dr.iter().skip(j + 1).filter_map(|row| row.get(j));
-            let mut all = above.chain(below);
-            let kept = d == T::zero() || d > T::LEAST;
-            kept && within(d) && all.all(|&r| r.is_finite() && (d == T::zero() || within(d * r * r)))
+            let lows = (j + 1..P).map(|k| self.low(j, k));
+            let mut all = row.iter().skip(j + 1).chain(q).chain(low).copied().chain(lows);
+            let kept = e == T::zero() || (e > T::zero() && e < T::LEAST.recip() && within(e.recip()));
+            kept && all.all(|r| r.is_finite() && (e == T::zero() || within(r / e * r)))
         });
         rows && within(self.rss)
     }

@@ -48,7 +48,7 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
         let least_sine = T::of(8.0) * T::of_count(u32::try_from(n).unwrap_or(u32::MAX)) * T::epsilon();
         let least = norm2.map(|norm2| least_sine * least_sine * norm2);
         for k in 0..n {
-            if self.factor.dr[k][k] <= least[k] {
+            if self.factor.d(k) <= least[k] {
                 return Err(self.confounded(k, &norm2, &least));
             }
         }
@@ -66,8 +66,7 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
             let part = of_pivot(row);
             *involved = j == pivot || (j < pivot && part * part * norm2 > share);
         }
-        let diagonal = self.factor.dr.iter().enumerate().filter_map(|(k, row)| row.get(k));
-        let rank = diagonal.zip(least).take(self.n).filter(|(d, least)| d > least).count();
+        let rank = least.iter().enumerate().take(self.n).filter(|(k, least)| self.factor.d(*k) > **least).count();
         Confounded { pivot, involved: Subset::from_mask(involved), rank, columns: self.n }
     }
 
@@ -92,7 +91,7 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
         for i in 0..n {
             let mut over_d = inverse[i];
             for k in i..n {
-                over_d[k] = over_d[k] / self.factor.dr[k][k] * variance;
+                over_d[k] = over_d[k] * self.factor.dr[k][k] * variance;
             }
             for j in i..n {
                 inverse[i][j] = over_d.iter().zip(&inverse[j]).take(n).fold(T::zero(), |sum, (&a, &b)| sum + a * b);
@@ -111,7 +110,7 @@ impl<'a, T: Real, const P: usize> Triangle<'a, T, P> {
         let n = self.n.min(P);
         let mut norm2 = [T::zero(); P];
         for j in 0..n {
-            let d = self.factor.dr[j][j];
+            let d = self.factor.d(j);
             norm2[j] += d;
             for k in j + 1..n {
                 let v = self.factor.dr[j][k];

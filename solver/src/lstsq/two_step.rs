@@ -239,7 +239,7 @@ impl<const P: usize, const F: usize, const S: usize> Order<P, F, S> {
             }
             if i >= own {
                 let rest = rest[i] - k[i];
-                rss += second.dr[i][i] * rest * rest;
+                rss += second.d(i) * rest * rest;
             }
         }
         (rest, rss)

@@ -30,7 +30,7 @@ impl<T: Real, const P: usize> Upper<T, P> {
                 let mut row = row.map(|r| r * per);
                 row[..=j].fill(T::zero());
                 row[j] = T::one();
-                factor.rotate(j, row, q * per, d);
+                factor.rotate(j, row, q * per, d.recip());
             }
         }
         factor.rss += weight * self.rss;

@@ -5,7 +5,7 @@
 //! | bytes | are |
 //! |---|---|
 //! | 8 | `TRNFACTR` |
-//! | 2 | the version of this form, 2 |
+//! | 2 | the version of this form, 3 |
 //! | 32 | SHA-256 of the model's equations and lengths |
 //! | 1 | the estimator: 0 joint, 1 two-step |
 //! | 1 + n | how many runs, and which |

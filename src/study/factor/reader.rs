@@ -4,7 +4,7 @@ use thiserror::Error;
 use trunnion_solver::sized::NotTaken;
 
 /// The version of the form of a factor's bytes.
-pub const VERSION: u16 = 2;
+pub const VERSION: u16 = 3;
 
 /// Why bytes are no factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
