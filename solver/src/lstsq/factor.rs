@@ -1,6 +1,5 @@
 //! The triangular factor: samples in, constant memory.
 
-use super::rotate::low_at;
 use super::{Real, Rejected};
 use nalgebra::SVector;
 
@@ -16,7 +15,7 @@ use nalgebra::SVector;
 /// A push costs O(P²) whatever came before it, without a square root, a panic or a heap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factor<T, const P: usize> {
-    /// One over D on the diagonal, zero where D is; R above it. Below it, [where `low_at` says](low_at), what rounding has left out
+    /// One over D on the diagonal, zero where D is; R above it. Below it, where `rotate` says, what rounding has left out
     /// of R.
     pub(super) dr: [[T; P]; P],
     pub(super) q: [T; P],
@@ -112,12 +111,6 @@ impl<T: Real, const P: usize> Factor<T, P> {
             Some(e) if *e > T::zero() => e.recip(),
             _ => T::zero(),
         }
-    }
-
-    /// What rounding has left out of R at `[j][k]`.
-    pub(super) fn low(&self, j: usize, k: usize) -> T {
-        let (at, of) = low_at::<P>(j, k);
-        self.dr.get(at).and_then(|row| row.get(of)).copied().unwrap_or(T::zero())
     }
 }
 

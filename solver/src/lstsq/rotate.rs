@@ -19,6 +19,10 @@
 //!
 //! and every product that a row is changed by is the difference of two such numbers. In `f32` that is 2¹¹¹, in `f64` 2⁸¹⁶: what is
 //! left to the end of the range is more than rounding adds up to. Where b is beyond it, the new row dominates.
+//!
+//! What rounding has left out of R at `[j][k]` is kept below the diagonal, in blocks of two rows and columns that are as they are above
+//! it, so that what belongs to neighbours of a row stands side by side: at `[k & !1 | j & 1][j & !1 | k & 1]`. In a block with the
+//! diagonal, and in the last row where P is odd, it is at `[k][j]`.
 
 use super::{Factor, Real};
 
@@ -157,14 +161,6 @@ impl<T: Real, const P: usize> Factor<T, P> {
             each(x, r, &mut low[j]);
         }
     }
-}
-
-/// Where the factor keeps what rounding has left out of R at `[j][k]`: below its diagonal, blocks of two rows and columns as they are
-/// above it, so that what belongs to neighbours of a row stands side by side.
-#[inline(always)]
-pub(super) fn low_at<const P: usize>(j: usize, k: usize) -> (usize, usize) {
-    // Two of the same block, and an odd last column, stand as in the transpose.
-    if j | 1 == k | 1 || k | 1 >= P { (k, j) } else { (k & !1 | j & 1, j & !1 | k & 1) }
 }
 
 /// The rounded sum, and what the rounding left out of it: exactly if `value` is the larger, else at least no more than

@@ -1,6 +1,5 @@
 //! A factor as numbers, to be kept or sent, and from them.
 
-use super::rotate::low_at;
 use super::{Factor, Real};
 
 impl<T: Real, const P: usize> Factor<T, P> {
@@ -41,6 +40,12 @@ impl<T: Real, const P: usize> Factor<T, P> {
         (numbers.next().is_none() && factor.is_one()).then_some(factor)
     }
 
+    /// What rounding has left out of R at `[j][k]`.
+    fn low(&self, j: usize, k: usize) -> T {
+        let (at, of) = low_at::<P>(j, k);
+        self.dr.get(at).and_then(|row| row.get(of)).copied().unwrap_or(T::zero())
+    }
+
     /// Whether it is within what pushing keeps: d·r² and d·q² of all samples together at most [`Real::MOST`] a sample, see
     /// `rotate`.
     fn is_one(&self) -> bool {
@@ -59,4 +64,10 @@ impl<T: Real, const P: usize> Factor<T, P> {
         });
         rows && within(self.rss)
     }
+}
+
+/// Where a factor keeps what rounding has left out of R at `[j][k]`, see `rotate`.
+fn low_at<const P: usize>(j: usize, k: usize) -> (usize, usize) {
+    // Two of the same block, and an odd last column, stand as in the transpose.
+    if j | 1 == k | 1 || k | 1 >= P { (k, j) } else { (k & !1 | j & 1, j & !1 | k & 1) }
 }
