@@ -34,9 +34,15 @@ pub fn combine(contributions: impl IntoIterator<Item = Contribution>, probabilit
         square += std * std;
         fourth += degrees_of_freedom.map_or(0.0, |n| std.powi(4) / f64::from(n));
     }
-    let degrees_of_freedom = if fourth > 0.0 { square * square / fourth } else { f64::INFINITY };
+    let degrees_of_freedom = if fourth > 0.0 { whole(square * square / fourth) } else { f64::INFINITY };
     let factor = student(degrees_of_freedom, probability);
     Combined { std: square.sqrt(), degrees_of_freedom, factor, expanded: factor * square.sqrt() }
+}
+
+/// The whole number that rounding has moved a little: to be rounded down, it would lose one.
+fn whole(degrees_of_freedom: f64) -> f64 {
+    let nearest = degrees_of_freedom.round();
+    if (degrees_of_freedom - nearest).abs() <= 1e-9 * nearest { nearest } else { degrees_of_freedom }
 }
 
 /// The coverage factor of every interval that is reported, of a standard uncertainty with these degrees of freedom; none for
@@ -77,6 +83,16 @@ mod tests {
         assert_eq!(total.degrees_of_freedom.floor(), 16.0);
         assert_eq!(format!("{:.2}", total.factor), "2.92");
         assert_eq!(format!("{:.0}", total.expanded), "93");
+    }
+
+    #[test]
+    fn one_contribution_keeps_its_degrees_of_freedom() {
+        for n in 1..200 {
+            for std in [0.1, 0.3, 1.7e-4, 157.0] {
+                let alone = combine([Contribution { std, degrees_of_freedom: Some(n) }], 0.95);
+                assert_eq!((alone.degrees_of_freedom, alone.factor), (f64::from(n), coverage_factor(Some(n))));
+            }
+        }
     }
 
     #[test]
