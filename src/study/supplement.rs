@@ -5,7 +5,7 @@
 //! of the sum that the runs see, and of the function itself. Of a function that is not determined the second is a bound:
 //! there the budget takes each error as large as its limit lets it be, in the worst shape.
 
-use super::budget::{Instrument, Sources};
+use super::budget::{Instrument, Sources, covering};
 use super::draw::Population;
 use super::estimate::{EstimateError, fit_with};
 use super::fit::{Estimator, Observation, Variance};
@@ -139,9 +139,7 @@ pub fn supplement(
     for (i, checked) in checked.iter_mut().enumerate() {
         let half = |which: usize| {
             let mut sizes: Vec<f64> = trials.iter().skip(i).step_by(points.len()).map(|off| off[which].abs()).collect();
-            sizes.sort_by(f64::total_cmp);
-            let at = (0.95 * sizes.len() as f64).ceil() as usize;
-            checked.unit.from_inner(sizes.get(at.saturating_sub(1)).copied().unwrap_or(0.0))
+            checked.unit.from_inner(covering(&mut sizes))
         };
         let (sum, whole) = (half(0), half(1));
         checked.sum[1] = sum;

@@ -59,13 +59,16 @@ impl RingArguments {
         }
         let machine = self.which.read()?;
         let (report, stamp) = ring_report_of(&machine, &self.file, self.offset, self.step_deg.to_radians())?;
-        let document = self.document(&report, stamp);
-        let html = self.report.is_wanted().then(|| page::ring(&document, &report)).transpose()?;
+        // Its trials take a while, and the text has none of them.
+        let document = (self.json || self.report.is_wanted()).then(|| self.document(&report, stamp));
+        let wanted = document.as_ref().filter(|_| self.report.is_wanted());
+        let html = wanted.map(|document| page::ring(document, &report)).transpose()?;
         let inputs = || self.which.inputs().chain([self.file.as_path()]);
         let picture = Picture::new(self.svg.clone(), self.report.force);
         picture.draw(inputs(), || Ok::<_, ExechonRefused>(ring_picture(&[("", &report)], "Circular deviation")?))?;
         self.report.write(&self.report.guard(inputs()), html)?;
-        Ok(print(&if self.json { format!("{document:#}\n") } else { self.text(&report) })?)
+        let shown = document.filter(|_| self.json).map_or_else(|| self.text(&report), |own| format!("{own:#}\n"));
+        Ok(print(&shown)?)
     }
 
     fn document(&self, report: &RingReport, stamp: Stamp) -> Value {
