@@ -5,7 +5,7 @@ use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
 use super::seen::Seen;
 use super::setup::{Setup, SetupError, coordinate};
-use super::systematic::{Contribution, systematic};
+use super::systematic::{Contribution, Linearised};
 use super::told::Told;
 use super::visited::{marks, sweeps, visited};
 use trunnion_codegen::identify::Extent;
@@ -76,60 +76,87 @@ impl Curve {
 /// Terms of second order that are named with a function.
 const NAMED_TERMS: usize = 8;
 
-/// An estimated function where the runs that see it went.
-pub(super) fn curve(
-    setup: &Setup,
-    observations: &[Observation],
-    fit: &Fit,
-    sources: &Sources,
-    seen: &Seen,
-    bounds: &[Vec<f64>],
-    limits: ErrorLimits,
-) -> Result<Option<Curve>, SetupError> {
-    let function = seen.function();
-    let Some(along) = setup.axis(function) else { return Ok(None) };
-    let coordinate_unit = coordinate(along).coordinate();
-    let visited = visited(setup, function, sweeps(observations)).filter(|_| seen.extent() != Extent::NotSeen);
-    let unit = setup.quantity(function).deviation();
-    let mut dropped = 0.0f64;
-    let (mut points, mut largest) = (Vec::new(), None);
-    for at in visited.map_or(Vec::new(), |range| marks(range, coordinate_unit)) {
-        let x = coordinate_unit.to_inner(at);
-        let (value, noise_std) = fit.function(setup, function, x);
-        let budget = sources.function(seen, x).times(unit.from_inner(1.0));
-        let (Combined { std, expanded: u95, factor, .. }, of_the_sum) = (budget.combined, budget.of_the_sum().combined);
-        let (sum_u95, sum_factor) = (of_the_sum.expanded, of_the_sum.factor);
-        let other_std = budget.without(Source::Noise).combined.std;
-        let (value, noise_std) = (unit.from_inner(value), unit.from_inner(noise_std));
-        points.push(CurvePoint { at, value, noise_std, other_std, std, u95, factor, sum_u95, sum_factor });
-        if largest.as_ref().is_none_or(|(_, before): &(f64, Budget)| u95 > before.combined.expanded) {
-            largest = Some((at, budget));
-        }
-        let sensitivity = fit.sensitivity(setup, observations, function, coordinate_unit.to_inner(at));
-        let sum = |(w, b): (&[f64], &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
-        dropped = dropped.max(unit.from_inner(sensitivity.observations().zip(bounds).map(sum).sum::<f64>()));
+/// What the curves of a fit's functions are worked out from.
+pub(super) struct Curves<'a> {
+    setup: &'a Setup,
+    observations: &'a [Observation],
+    fit: &'a Fit,
+    sources: &'a Sources<'a>,
+    linearised: Linearised<'a>,
+    /// Per run, at each sample, the most that linearisation drops, mm.
+    bounds: Vec<Vec<f64>>,
+}
+
+impl<'a> Curves<'a> {
+    /// # Errors
+    /// [`SetupError`] where the second-order derivation overflows.
+    pub fn new(
+        setup: &'a Setup,
+        observations: &'a [Observation],
+        fit: &'a Fit,
+        sources: &'a Sources<'a>,
+        limits: ErrorLimits,
+    ) -> Result<Self, SetupError> {
+        let linearised = Linearised::new(setup, observations, sources, limits)?;
+        let bounds = linearised.bounds();
+        Ok(Self { setup, observations, fit, sources, linearised, bounds })
     }
-    let coordinates: Vec<f64> = points.iter().map(|p| coordinate_unit.to_inner(p.at)).collect();
-    let detail = largest.as_ref().map(|(at, _)| sources.detail(seen, coordinate_unit.to_inner(*at), unit));
-    let left = systematic(setup, observations, fit, seen, limits, &coordinates)?;
-    let scaled = |t: &Contribution| Contribution {
-        name: t.name.clone(),
-        typical: unit.from_inner(t.typical),
-        bound: unit.from_inner(t.bound),
-    };
-    Ok(Some(Curve {
-        function,
-        name: setup.function_name(function),
-        is_location: setup.model.functions[function].is_location(),
-        told: seen.told(setup),
-        unit,
-        coordinate: along.coordinate.clone(),
-        coordinate_unit,
-        points,
-        largest,
-        detail,
-        neglected: dropped,
-        neglected_typical: unit.from_inner(left.typical),
-        neglected_terms: left.terms.iter().take(NAMED_TERMS).filter(|t| t.typical > 0.0).map(scaled).collect(),
-    }))
+
+    /// Per run the largest second-order reading that linearisation drops, mm.
+    pub fn neglected(&self) -> impl Iterator<Item = f64> {
+        self.bounds.iter().map(|bound| bound.iter().copied().fold(0.0, f64::max))
+    }
+
+    /// An estimated function where the runs that see it went.
+    pub fn of(&self, seen: &Seen) -> Option<Curve> {
+        let Self { setup, fit, sources, .. } = *self;
+        let function = seen.function();
+        let along = setup.axis(function)?;
+        let coordinate_unit = coordinate(along).coordinate();
+        let visited = visited(setup, function, sweeps(self.observations)).filter(|_| seen.extent() != Extent::NotSeen);
+        let unit = setup.quantity(function).deviation();
+        let mut dropped = 0.0f64;
+        let (mut points, mut largest) = (Vec::new(), None);
+        for at in visited.map_or(Vec::new(), |range| marks(range, coordinate_unit)) {
+            let x = coordinate_unit.to_inner(at);
+            let (value, noise_std) = fit.function(setup, function, x);
+            let budget = sources.function(seen, x).times(unit.from_inner(1.0));
+            let Combined { std, expanded: u95, factor, .. } = budget.combined;
+            let of_the_sum = budget.of_the_sum().combined;
+            let (sum_u95, sum_factor) = (of_the_sum.expanded, of_the_sum.factor);
+            let other_std = budget.without(Source::Noise).combined.std;
+            let (value, noise_std) = (unit.from_inner(value), unit.from_inner(noise_std));
+            points.push(CurvePoint { at, value, noise_std, other_std, std, u95, factor, sum_u95, sum_factor });
+            if largest.as_ref().is_none_or(|(_, before): &(f64, Budget)| u95 > before.combined.expanded) {
+                largest = Some((at, budget));
+            }
+            let weights = sources.dependence().weights(&fit.functional(setup, function, x));
+            let sum = |(w, b): (&[f64], &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
+            dropped = dropped.max(unit.from_inner(weights.observations().zip(&self.bounds).map(sum).sum::<f64>()));
+        }
+        let coordinates: Vec<f64> = points.iter().map(|p| coordinate_unit.to_inner(p.at)).collect();
+        let detail = largest.as_ref().map(|(at, _)| sources.detail(seen, coordinate_unit.to_inner(*at), unit));
+        let weights = sources.dependence().of_coefficients(seen);
+        let left = self.linearised.left_in(&weights, |x| seen.basis(setup, x), &coordinates);
+        let scaled = |t: &Contribution| Contribution {
+            name: t.name.clone(),
+            typical: unit.from_inner(t.typical),
+            bound: unit.from_inner(t.bound),
+        };
+        Some(Curve {
+            function,
+            name: setup.function_name(function),
+            is_location: setup.model.functions[function].is_location(),
+            told: seen.told(setup),
+            unit,
+            coordinate: along.coordinate.clone(),
+            coordinate_unit,
+            points,
+            largest,
+            detail,
+            neglected: dropped,
+            neglected_typical: unit.from_inner(left.typical),
+            neglected_terms: left.terms.iter().take(NAMED_TERMS).filter(|t| t.typical > 0.0).map(scaled).collect(),
+        })
+    }
 }

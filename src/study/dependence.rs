@@ -21,8 +21,7 @@ impl Fit {
 
     /// How the coefficients of a function, as it is seen, depend on each reading.
     pub fn coefficient_sensitivities(&self, setup: &Setup, observations: &[Observation], seen: &Seen) -> Vec<Weights> {
-        let on = Dependence::new(setup, observations, self);
-        seen.combinations().map(|combination| on.weights(&self.placed([(combination, 1.0)]))).collect()
+        Dependence::new(setup, observations, self).of_coefficients(seen)
     }
 }
 
@@ -50,6 +49,11 @@ impl<'a> Dependence<'a> {
             rows
         };
         Self { fit, rows: observations.iter().map(rows).collect() }
+    }
+
+    /// How the coefficients of a function, as it is seen, depend on each reading.
+    pub fn of_coefficients(&self, seen: &Seen) -> Vec<Weights> {
+        seen.combinations().map(|combination| self.weights(&self.fit.placed([(combination, 1.0)]))).collect()
     }
 
     /// How `functional · base parameters` depends on each reading.

@@ -55,15 +55,6 @@ impl SimulatedMachine {
         &self.values[error.index()]
     }
 
-    /// The machine with all its errors times a factor.
-    #[must_use]
-    pub(super) fn scaled(&self, factor: f64) -> Self {
-        let mut scaled = self.clone();
-        scaled.values.iter_mut().for_each(|shape| shape.scale(factor));
-        scaled.coefficients.iter_mut().flatten().for_each(|c| *c *= factor);
-        scaled
-    }
-
     /// True value of every base parameter.
     pub fn base(&self, setup: &Setup) -> TiVec<BaseId, f64> {
         let parameters = self.parameters(setup);

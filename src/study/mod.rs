@@ -16,6 +16,7 @@ mod ends;
 mod estimate;
 mod estimated;
 mod factor;
+mod factors;
 mod fill;
 mod fit;
 mod histogram;

@@ -3,9 +3,10 @@
 use super::limits::ErrorLimits;
 use super::rows::Evaluate;
 use super::setup::{Setup, SetupError};
+use std::ops::Range;
 use trunnion_codegen::algebra::{Monomial, Nominal, Order};
 use trunnion_codegen::emit::model::{motion, poly};
-use trunnion_codegen::graph::{Graph, LANES, Symbol, Tape};
+use trunnion_codegen::graph::{Graph, LANES, Lanes, Symbol, Tape};
 use trunnion_codegen::identify::DeriveError;
 use trunnion_codegen::ids::RunId;
 use trunnion_codegen::kinematics::directions;
@@ -28,6 +29,9 @@ impl Neglected {
         self.bound.iter().copied().fold(0.0, f64::max)
     }
 }
+
+/// A sweep, and the direction in which it is reached.
+pub(super) type Place = (f64, f64);
 
 /// The second-order terms of a run's reading, ready to evaluate along it.
 pub(super) struct SecondOrder<'a> {
@@ -56,24 +60,41 @@ impl<'a> SecondOrder<'a> {
         Ok(Self { setup, run, products: terms.into_iter().map(|(errors, _)| errors).collect(), tape })
     }
 
-    /// Calls `each` at every sweep, which is reached in a direction, with the sample's position and the factor of every product.
-    pub fn along(&self, places: &[(f64, f64)], mut each: impl FnMut(usize, &[f64])) {
+    /// Calls `each` for blocks of places, a sweep and the direction in which it is reached, with those that the block has, and the factor of
+    /// every product at each of them.
+    pub fn along(&self, places: &[Place], mut each: impl FnMut(Range<usize>, &[&Lanes])) {
         let mut evaluator = self.tape.block_evaluator();
         let mut inputs = self.setup.inputs(self.run);
-        let mut values = vec![0.0; self.products.len()];
         for (block, places) in places.chunks(LANES).enumerate() {
             for (lane, &(sweep, direction)) in places.iter().enumerate() {
                 self.setup.place(self.run, &mut inputs, sweep, direction);
                 evaluator.inputs().iter_mut().zip(&inputs).for_each(|(lanes, &input)| lanes[lane] = input);
             }
             vectorised(Evaluate(&mut evaluator));
-            for lane in 0..places.len() {
-                for (at, value) in values.iter_mut().enumerate() {
-                    *value = evaluator.output(at).map_or(0.0, |lanes| lanes[lane]);
-                }
-                each(block * LANES + lane, &values);
-            }
+            let factors: Vec<&Lanes> = (0..self.products.len()).filter_map(|at| evaluator.output(at)).collect();
+            each(block * LANES..block * LANES + places.len(), &factors);
         }
+    }
+
+    /// What its terms come to within the limits.
+    pub fn within(&self, places: &[Place], limits: ErrorLimits) -> Neglected {
+        let setup = self.setup;
+        let sizes: Vec<f64> = self.products.iter().map(|errors| product_size(setup, errors, limits)).collect();
+        let (mut largest, mut bound) = (vec![0.0f64; sizes.len()], vec![0.0; places.len()]);
+        self.along(places, |range, factors| {
+            let bound = &mut bound[range];
+            for ((factors, size), largest) in factors.iter().zip(&sizes).zip(&mut largest) {
+                for (bound, factor) in bound.iter_mut().zip(*factors) {
+                    let part = factor.abs() * size;
+                    *bound += part;
+                    *largest = largest.max(part);
+                }
+            }
+        });
+        let named = |(errors, l): (&Monomial, f64)| (product_name(setup, errors), l);
+        let mut terms: Vec<(String, f64)> = self.products.iter().zip(largest).map(named).collect();
+        terms.sort_by(|a, b| b.1.total_cmp(&a.1));
+        Neglected { bound, terms }
     }
 }
 
@@ -92,20 +113,6 @@ pub(super) fn product_size(setup: &Setup, errors: &Monomial, limits: ErrorLimits
 /// # Errors
 /// [`SetupError`] where the exact arithmetic overflows.
 pub fn neglected(setup: &Setup, run: RunId, sweeps: &[f64], limits: ErrorLimits) -> Result<Neglected, SetupError> {
-    let second = SecondOrder::new(setup, run)?;
-    let sizes: Vec<f64> = second.products.iter().map(|errors| product_size(setup, errors, limits)).collect();
-    let mut largest = vec![0.0f64; sizes.len()];
-    let mut bound = Vec::with_capacity(sweeps.len());
-    let places: Vec<(f64, f64)> = sweeps.iter().copied().zip(directions(sweeps)).collect();
-    second.along(&places, |_, values| {
-        let parts = || values.iter().zip(&sizes).map(|(v, s)| v.abs() * s);
-        bound.push(parts().sum());
-        for (l, part) in largest.iter_mut().zip(parts()) {
-            *l = l.max(part);
-        }
-    });
-    let named = |(errors, l): (&Monomial, f64)| (product_name(setup, errors), l);
-    let mut terms: Vec<(String, f64)> = second.products.iter().zip(largest).map(named).collect();
-    terms.sort_by(|a, b| b.1.total_cmp(&a.1));
-    Ok(Neglected { bound, terms })
+    let places: Vec<Place> = sweeps.iter().copied().zip(directions(sweeps)).collect();
+    Ok(SecondOrder::new(setup, run)?.within(&places, limits))
 }

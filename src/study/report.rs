@@ -2,13 +2,12 @@
 
 use super::budget::{Budget, Instrument, Sources};
 use super::called::called;
-use super::curve::{Curve, curve};
+use super::curve::{Curve, Curves};
 use super::fit::{Estimator, Fit, Observation};
 use super::histogram::Histogram;
 use super::hysteresis::{Hysteresis, hysteresis};
 use super::limits::ErrorLimits;
 use super::misfit::Look;
-use super::neglected::neglected;
 use super::recording::Few;
 use super::setup::{Setup, SetupError, coordinate};
 use super::trace::Trace;
@@ -128,16 +127,7 @@ pub fn report_on(
             budget,
         }
     };
-    let mut bounds = Vec::new();
-    for o in observations {
-        let sweeps: Vec<f64> = o.samples.iter().map(|s| s.sweep).collect();
-        bounds.push(neglected(setup, o.run, &sweeps, limits)?.bound);
-    }
-    let curves = fit
-        .functions()
-        .iter()
-        .filter_map(|f| curve(setup, observations, fit, &sources, f, &bounds, limits).transpose());
-    let functions = curves.collect::<Result<Vec<Curve>, SetupError>>()?;
+    let curves = Curves::new(setup, observations, fit, &sources, limits)?;
     let called = |i: usize| called(setup, observations, i);
     let run = |(i, look): (usize, &Look)| (called(i), look.samples, Unit::Um.from_inner(look.rms));
     Ok(Report {
@@ -150,9 +140,9 @@ pub fn report_on(
         traces: fit.traces.clone(),
         histograms: fit.histograms.clone(),
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
-        functions,
+        functions: fit.functions().iter().filter_map(|f| curves.of(f)).collect(),
         condition: fit.separation.condition,
-        neglected: bounds.iter().map(|b| Unit::Um.from_inner(b.iter().copied().fold(0.0, f64::max))).collect(),
+        neglected: curves.neglected().map(|largest| Unit::Um.from_inner(largest)).collect(),
         neglected_usual: sources.dropped().iter().map(|size| Unit::Um.from_inner(*size)).collect(),
         weighed_down: fit.weighed_down.iter().cloned().enumerate().map(|(i, down)| (called(i), down)).collect(),
         hysteresis: hysteresis(setup, observations, &fit.averages),

@@ -43,33 +43,30 @@ impl Track {
         self.exact.run().samples()
     }
 
-    /// What is read on a machine at every sample, mm.
-    pub fn readings(&self, machine: &SimulatedMachine) -> Vec<f64> {
-        let mut readings = vec![0.0; self.samples()];
-        self.read(machine, &mut readings);
-        readings
-    }
-
-    /// Writes them.
-    pub fn read(&self, machine: &SimulatedMachine, readings: &mut [f64]) {
-        vectorised(Read { on: On { track: self, machine }, readings });
+    /// Writes what is read at every sample on a machine with all its errors times a factor, mm.
+    pub fn read(&self, machine: &SimulatedMachine, factor: f64, readings: &mut [f64]) {
+        vectorised(Read { on: On { track: self, machine, factor }, readings });
     }
 }
 
-/// A machine on a track.
+/// A machine on a track, its errors times a factor.
 struct On<'a> {
     track: &'a Track,
     machine: &'a SimulatedMachine,
+    factor: f64,
 }
 
 impl ErrorValues for On<'_> {
     fn value(&self, error: ErrorId, coordinate: f64) -> f64 {
-        self.machine.value(error, coordinate)
+        self.machine.value(error, coordinate) * self.factor
     }
 
     #[inline(always)]
     fn along(&self, error: ErrorId, at: At, values: &mut Lanes) {
         self.machine.shape(error).along(&self.track.coordinates[at.axis], at.block, values);
+        if self.factor != 1.0 {
+            values.iter_mut().for_each(|value| *value *= self.factor);
+        }
     }
 }
 
@@ -128,7 +125,7 @@ impl Tracks {
         let mut rest = readings;
         for (track, _) in &self.0 {
             let (own, others) = rest.split_at_mut(track.samples());
-            track.read(machine, own);
+            track.read(machine, 1.0, own);
             rest = others;
         }
     }
@@ -138,7 +135,7 @@ impl Tracks {
         let mut rest = readings;
         for (track, known) in &self.0 {
             let (own, others) = rest.split_at_mut(track.samples());
-            let on = Read { on: On { track, machine }, readings: own };
+            let on = Read { on: On { track, machine, factor: 1.0 }, readings: own };
             vectorised(Explain { on, known });
             rest = others;
         }
@@ -155,7 +152,7 @@ impl Work for Explain<'_> {
 
     #[inline(always)]
     fn work(self) {
-        let Read { on: On { track, machine }, readings } = self.on;
+        let Read { on: On { track, machine, .. }, readings } = self.on;
         for (block, readings) in readings.chunks_mut(LANES).enumerate() {
             let (mut sum, mut values) = ([0.0; LANES], [0.0; LANES]);
             for known in self.known {

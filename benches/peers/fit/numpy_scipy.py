@@ -1,8 +1,9 @@
-"""The paper's two steps with NumPy and SciPy on the readings that rust/src/main.rs makes; prints `name;ns;error` like it.
+"""The paper's two steps with NumPy and SciPy on the readings that rust/src/main.rs makes; prints `name;ns;error;kB` like it.
 Usage: numpy_scipy.py SAMPLES EXACT"""
 
 import sys
 import time
+import tracemalloc
 
 import numpy as np
 import scipy.linalg
@@ -55,4 +56,8 @@ for name, solve in [
         two_step(solve)
         times.append(time.perf_counter() - start)
     error = np.max(np.abs(value / exact - 1))
-    print(f"{name};{sorted(times)[12] * 1e9 / samples:.1f};{error:.1e}")
+    tracemalloc.start()
+    two_step(solve)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    print(f"{name};{sorted(times)[12] * 1e9 / samples:.1f};{error:.1e};{peak / 1e3:.1f}")

@@ -20,14 +20,14 @@ trap 'rm -rf "$work"' EXIT
 one() { taskset -c 0 "$@"; }
 
 solvers() {
-    echo "| | samples a run | ns for a sample of both runs | of nalgebra's QR | largest relative error of a coefficient |"
-    echo "|---|---:|---:|---:|---:|"
+    echo "| | samples a run | ns for a sample of both runs | of nalgebra's QR | largest relative error of a coefficient | memory, kB |"
+    echo "|---|---:|---:|---:|---:|---:|"
     for samples in 360 3600 36000 360000; do
         # 50 digits of more samples take minutes.
         exact=$work/$samples
         if [[ $samples -le 36000 ]]; then "$python" exact.py paper "$samples" >"$exact"; else printf 'nan\n%.0s' {1..13} >"$exact"; fi
         { one "$binary" solve "$samples" "$exact"; one "$python" numpy_scipy.py "$samples" "$exact"; } | sed 's/nan/–/I' |
-            awk -F';' -v n="$samples" 'NR == 1 { base = $2 } { printf "| %s | %d | %.1f | %.2f | %s |\n", $1, n, $2, $2 / base, $3 }'
+            awk -F';' -v n="$samples" 'NR == 1 { base = $2 } { printf "| %s | %d | %.1f | %.2f | %s | %s |\n", $1, n, $2, $2 / base, $3, $4 }'
     done
 }
 
@@ -92,7 +92,11 @@ trials() {
     echo
     echo "| unknowns | blocked, ns a row | nalgebra's QR |"
     echo "|---:|---:|---:|"
-    one "$binary" grow | awk -F, '{ printf "| %d | %s | %s |\n", $1, $2, $3 }'
+    one "$binary" unknowns | awk -F, '{ printf "| %d | %s | %s |\n", $1, $2, $3 }'
+    echo
+    echo "| runs | unknowns | blocked, ns a row | nalgebra's QR |"
+    echo "|---:|---:|---:|---:|"
+    one "$binary" runs | awk -F, '{ printf "| %d | %d | %s | %s |\n", $1, $2, $3, $4 }'
     echo
     "$python" exact.py strd ../../../tests/reference/strd "$work/strd"
     echo "| set, shifted and scaled | blocked, f64 | nalgebra's QR | NumPy, lstsq |"

@@ -20,17 +20,23 @@ impl<T: Real, const P: usize> Upper<T, P> {
         Self { r: [[T::zero(); P]; P], q: [T::zero(); P], rss: T::zero() }
     }
 
-    /// Adds its rows, so many and each with `weight`, to a factor: by a rotation for each row of the triangle.
+    /// Adds its rows, so many and each with `weight`, to a factor: by a rotation for each row of the triangle, where the factor has rows.
     pub fn add_to(&self, factor: &mut Factor<T, P>, rows: u32, weight: T) {
+        let is_empty = factor.samples == 0;
         for (j, (row, &q)) in self.r.iter().zip(&self.q).enumerate() {
             let diagonal = row.get(j).copied().unwrap_or(T::zero());
             let d = weight * diagonal * diagonal;
             if d > T::LEAST {
-                let per = diagonal.recip();
-                let mut row = row.map(|r| r * per);
-                row[..=j].fill(T::zero());
-                row[j] = T::one();
-                factor.rotate(j, row, q * per, d.recip());
+                let v = d.recip();
+                let mut row = row.map(|r| r / diagonal);
+                row[..j].fill(T::zero());
+                if is_empty {
+                    row[j] = v;
+                    (factor.dr[j], factor.q[j]) = (row, q / diagonal);
+                } else {
+                    row[j] = T::one();
+                    factor.rotate(j, row, q / diagonal, v);
+                }
             }
         }
         factor.rss += weight * self.rss;

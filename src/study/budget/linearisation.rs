@@ -6,6 +6,7 @@
 use super::gum::COVERAGE;
 use super::parts::Parts;
 use crate::study::draw::Population;
+use crate::study::factors::Factors;
 use crate::study::fit::{Fit, Observation};
 use crate::study::limits::ErrorLimits;
 use crate::study::setup::Setup;
@@ -14,11 +15,13 @@ use chacha20::ChaCha8Rng;
 use nalgebra::DVector;
 use rand::SeedableRng;
 use rayon::prelude::*;
+use std::ops::Range;
+use trunnion_codegen::graph::LANES;
 
 /// Machines drawn: a root mean square over them is good to some 4 %.
-const MACHINES: u64 = 400;
-/// Samples of a run that are looked at, each for as many as there are: what is dropped is smooth.
-const SAMPLES: usize = 180;
+const MACHINES: usize = 400;
+/// Samples of a run that are looked at, each for as many as there are: what is dropped is smooth. Whole blocks.
+const SAMPLES: usize = 2 * LANES;
 /// Errors so small that products of two do not count.
 const SMALL: f64 = 1e-4;
 
@@ -26,6 +29,8 @@ const SMALL: f64 = 1e-4;
 pub(super) struct Dropped {
     /// What it adds to the base parameters: a column for each machine, scaled so that their squares sum to the mean.
     pub parts: Parts,
+    /// The machines.
+    pub machines: Factors,
     /// Per run, the size that its readings' part stays below on 95 % of the machines, mm.
     pub usual: Vec<f64>,
 }
@@ -43,32 +48,42 @@ pub(super) fn linearisation(setup: &Setup, observations: &[Observation], fit: &F
     let sweeps = |o: &Observation| o.samples.iter().map(|s| s.sweep).collect::<Vec<_>>();
     let tracks: Vec<Track> = thinned.iter().map(|o| Track::new(setup, o.run, &sweeps(o))).collect();
     let machines = Population::new(setup, tracks.iter().map(Track::exact), limits);
+    let mut ranges = Vec::new();
+    for track in &tracks {
+        let start = ranges.last().map_or(0, |range: &Range<usize>| range.end);
+        ranges.push(start..start + track.samples());
+    }
+    let samples = ranges.last().map_or(0, |range| range.end);
     let share = 1.0 / (MACHINES as f64).sqrt();
-    let dropped = |n: u64| -> Vec<Vec<f64>> {
+    // Machine by machine, of each what it drops from every reading.
+    let (mut dropped, mut factors) = (vec![0.0; MACHINES * samples], Factors::room(setup, MACHINES));
+    let drop = |small: &mut Vec<f64>, (n, (dropped, factors)): (usize, (&mut [f64], &mut [f64]))| {
         let mut random = ChaCha8Rng::seed_from_u64(0);
-        random.set_stream(n);
+        random.set_stream(n as u64);
         let machine = machines.draw(&mut random);
-        let small = machine.scaled(SMALL);
-        let run = |track: &Track| {
-            let [exact, linear] = [&machine, &small].map(|machine| track.readings(machine));
-            exact.iter().zip(linear).map(|(y, s)| (y - s / SMALL) * share).collect()
-        };
-        tracks.iter().map(run).collect()
+        machine.write_factors(setup, factors);
+        for (track, range) in tracks.iter().zip(&ranges) {
+            track.read(&machine, 1.0, &mut dropped[range.clone()]);
+            track.read(&machine, SMALL, &mut small[range.clone()]);
+        }
+        dropped.iter_mut().zip(small).for_each(|(y, s)| *y = (*y - *s / SMALL) * share);
     };
-    let dropped: Vec<Vec<Vec<f64>>> = (0..MACHINES).into_par_iter().map(dropped).collect();
-    let usual = |run: usize| {
-        let mut sizes: Vec<f64> = dropped.iter().map(|m| m[run].iter().fold(0.0, |l: f64, y| l.max(y.abs()))).collect();
+    let machine = samples.max(1);
+    let all = dropped.par_chunks_mut(machine).zip(factors.machines_mut());
+    all.enumerate().for_each_init(|| vec![0.0; samples], drop);
+    let usual = |range: &Range<usize>| {
+        let largest = |machine: &[f64]| machine[range.clone()].iter().fold(0.0, |l: f64, y| l.max(y.abs()));
+        let mut sizes: Vec<f64> = dropped.chunks(machine).map(largest).collect();
         sizes.sort_by(f64::total_cmp);
         sizes.get((COVERAGE * sizes.len() as f64) as usize).map_or(0.0, |size| size / share)
     };
-    let usual = (0..thinned.len()).map(usual).collect();
-    let mut at = vec![0; thinned.len()];
-    let parts = fit.responses(setup, &thinned, dropped.len(), |d, by| {
-        let sample = at[d.observation];
-        at[d.observation] += 1;
-        by.iter_mut().zip(&dropped).for_each(|(b, machine)| *b = machine[d.observation][sample]);
+    let usual = ranges.iter().map(usual).collect();
+    let mut sample = 0;
+    let parts = fit.responses(setup, &thinned, MACHINES, |_, by| {
+        by.iter_mut().zip(dropped.iter().skip(sample).step_by(machine)).for_each(|(b, y)| *b = *y);
+        sample += 1;
     });
-    Dropped { parts, usual }
+    Dropped { parts, machines: factors, usual }
 }
 
 /// A run with few of its samples, each weighing as many as there are.

@@ -27,6 +27,7 @@ pub use source::{Line, Source};
 pub use term::Term;
 
 use super::dependence::Dependence;
+use super::factors::Factors;
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
 use super::misfit::alike;
@@ -133,6 +134,16 @@ impl<'a> Sources<'a> {
     /// What linearisation drops from each run's readings, all orders: not more on 95 % of the machines within the limits, mm.
     pub fn dropped(&self) -> &[f64] {
         &self.linearisation.usual
+    }
+
+    /// The machines that say so.
+    pub(super) fn machines(&self) -> &Factors {
+        &self.linearisation.machines
+    }
+
+    /// How the base parameters depend on each reading.
+    pub(super) fn dependence(&self) -> &Dependence<'a> {
+        &self.dependence
     }
 
     /// Of a base parameter, in the units inside.

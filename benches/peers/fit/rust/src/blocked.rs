@@ -5,7 +5,9 @@ use trunnion_codegen::emit::model::run;
 use trunnion_codegen::graph::{BlockEvaluator, LANES, Tape};
 use trunnion_codegen::identify::derive;
 use trunnion_solver::lstsq::Step;
-use trunnion_solver::sized::{Block, Column, Columns, Estimate, ROWS, Solved, Work, blocks, estimator, spread, vectorised};
+use trunnion_solver::sized::{
+    Block, Column, Columns, Estimate, ROWS, Solved, Work, blocks, estimator, spread, vectorised,
+};
 use trunnion_solver::tilting::{rows_of_separation, rows_of_tilting};
 
 /// Generated rows of both runs.

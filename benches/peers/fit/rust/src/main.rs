@@ -1,6 +1,6 @@
 //! The fit beside other tools, in one process on one core. `peers-fit solve SAMPLES EXACT` times both runs of the paper in two steps
-//! and says how far the coefficients are from a 50-digit solution; `peers-fit grow` shows growth with samples, unknowns, runs;
-//! `peers-fit digits DIRECTORY` gives the digits reached on NIST's sets.
+//! and says how far the coefficients are from a 50-digit solution, and how much memory it takes; `peers-fit unknowns` and `peers-fit runs`
+//! show growth; `peers-fit digits DIRECTORY` gives the digits reached on NIST's sets.
 
 mod blocked;
 mod dense;
@@ -8,8 +8,20 @@ mod digits;
 mod grow;
 mod solve;
 
+use peak_alloc::PeakAlloc;
 use std::hint::black_box;
 use std::time::Instant;
+
+#[global_allocator]
+static HEAP: PeakAlloc = PeakAlloc;
+
+/// The most that a run has on the heap at any time, beyond what was there before, bytes.
+pub fn heap(run: impl FnOnce()) -> usize {
+    let before = HEAP.current_usage();
+    HEAP.reset_peak_usage();
+    run();
+    HEAP.peak_usage() - before
+}
 
 /// Median of the repetitions, ns.
 pub fn time(mut run: impl FnMut()) -> f64 {
@@ -29,8 +41,9 @@ fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[1..] {
         ["solve", samples, exact] => solve::run(samples.parse().expect("a number"), exact),
-        ["grow"] => grow::run(),
+        ["unknowns"] => grow::unknowns(),
+        ["runs"] => grow::runs(),
         ["digits", directory] => digits::run(directory),
-        _ => eprintln!("peers-fit solve SAMPLES EXACT | grow | digits DIRECTORY"),
+        _ => eprintln!("peers-fit solve SAMPLES EXACT | unknowns | runs | digits DIRECTORY"),
     }
 }

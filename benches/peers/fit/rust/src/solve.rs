@@ -2,7 +2,7 @@
 
 use crate::blocked::{self, Model};
 use crate::dense::{self, RADIUS};
-use crate::time;
+use crate::{heap, time};
 use nalgebra::DVector;
 use std::fs;
 use trunnion::Setup;
@@ -19,22 +19,25 @@ pub fn run(samples: usize, exact: &str) {
     let exact: Vec<f64> =
         fs::read_to_string(exact).expect("a file").split_whitespace().map(|v| v.parse().expect("a number")).collect();
     let (angles, readings) = dense::data(samples);
-    let show = |name: &str, ns: f64, error: f64| println!("{name};{:.1};{error:.1e}", ns / samples as f64);
+    // `held` are bytes that are not on the heap.
+    let show = |name: &str, error: f64, held: usize, fit: &dyn Fn()| {
+        let ns = time(fit) / samples as f64;
+        println!("{name};{ns:.1};{error:.1e};{:.1}", (heap(fit) + held) as f64 / 1e3);
+    };
 
-    let qr = time(|| {
-        std::hint::black_box(dense::two_steps(&angles, &readings));
+    let qr = || dense::two_steps(&angles, &readings);
+    show("nalgebra, QR", error(&qr(), &exact), 0, &|| {
+        std::hint::black_box(qr());
     });
-    show("nalgebra, QR", qr, error(&dense::two_steps(&angles, &readings), &exact));
 
-    let blocked = time(|| drop(blocked::fit(RADIUS, &angles, &readings)));
-    show("Trunnion, blocked, f64", blocked, error(&blocked::fit(RADIUS, &angles, &readings), &exact));
-    let whole = time(|| drop(blocked::solve(RADIUS, &angles, &readings)));
-    let off = error(blocked::solve(RADIUS, &angles, &readings).coefficients.as_slice(), &exact);
-    show("Trunnion, blocked, f64, with covariance and condition", whole, off);
+    let blocked = || blocked::fit(RADIUS, &angles, &readings);
+    show("Trunnion, blocked, f64", error(&blocked(), &exact), 0, &|| drop(blocked()));
+    let whole = || blocked::solve(RADIUS, &angles, &readings);
+    let off = error(whole().coefficients.as_slice(), &exact);
+    show("Trunnion, blocked, f64, with covariance and condition", off, 0, &|| drop(whole()));
     let model = Model::new();
-    let read = time(|| drop(model.fit(RADIUS, &angles, &readings)));
-    let off = error(&model.fit(RADIUS, &angles, &readings), &exact);
-    show("Trunnion, blocked, f64, a model read at run time", read, off);
+    let read = || model.fit(RADIUS, &angles, &readings);
+    show("Trunnion, blocked, f64, a model read at run time", error(&read(), &exact), 0, &|| drop(read()));
 
     let setup = Setup::from_catalogue("tilting-table-a", &[("R", RADIUS)]).expect("a set-up");
     let known = setup.derivation.runs.raw[0].known.len();
@@ -56,11 +59,8 @@ pub fn run(samples: usize, exact: &str) {
         })
         .collect();
     let fit = || study::fit(&setup, &observations, Estimator::TwoStep).expect("a whole turn").values;
-    show(
-        "Trunnion, `study::fit`: blocked, and a look at the residuals",
-        time(|| drop(fit())),
-        error(fit().as_slice(), &exact),
-    );
+    let off = error(fit().as_slice(), &exact);
+    show("Trunnion, `study::fit`: blocked, and a look at the residuals", off, 0, &|| drop(fit()));
 
     macro_rules! stream {
         ($name:literal, $estimator:ident, $t:ty, $compared:expr) => {{
@@ -77,7 +77,7 @@ pub fn run(samples: usize, exact: &str) {
             };
             let compared: bool = $compared;
             let off = if compared { error(fit().as_slice(), &exact) } else { f64::NAN };
-            show($name, time(|| drop(fit())), off);
+            show($name, off, size_of::<$estimator<$t>>(), &|| drop(fit()));
         }};
     }
     stream!("Trunnion, streamed, f64", TwoStep, f64, true);
