@@ -5,7 +5,7 @@ use super::rows::each_row;
 use super::seen::Seen;
 use super::setup::Setup;
 use super::weights::Weights;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DMatrixView, DVector};
 use trunnion_codegen::ids::{BaseId, FunctionId};
 
 impl Fit {
@@ -49,6 +49,11 @@ impl<'a> Dependence<'a> {
             rows
         };
         Self { fit, rows: observations.iter().map(rows).collect() }
+    }
+
+    /// What disturbances of one observation's readings add to the base parameters, a column for each; a line for each sample, mm.
+    pub fn responses(&self, observation: usize, disturbances: DMatrixView<f64>) -> DMatrix<f64> {
+        self.fit.sensitivity_of(observation) * self.rows[observation].tr_mul(&disturbances)
     }
 
     /// How the coefficients of a function, as it is seen, depend on each reading.

@@ -102,7 +102,7 @@ pub fn supplement(
             });
             let error = setup.model.functions[function].error;
             points.push(Point { seen, error, at, basis: seen.basis(setup, at) });
-            weights.push(fitted.sensitivity(setup, &observations, function, at));
+            weights.push(sources.dependence().weights(&fitted.functional(setup, function, at)));
         }
     }
     let operator = Operator::new(tracks.samples(), weights);

@@ -78,9 +78,7 @@ struct Along<'a> {
 /// A product of two errors and how it moves the coefficients of the function.
 struct Product {
     errors: [ErrorId; 2],
-    /// How many pairs of functions the two are combinations of.
-    pairs: usize,
-    /// Per coefficient, per pair of functions: `Σ w·c·φᵢ·φⱼ` over all samples.
+    /// Per pair of functions that the two are combinations of, per coefficient: `Σ w·c·φᵢ·φⱼ` over all samples.
     moves: Vec<f64>,
 }
 
@@ -131,14 +129,15 @@ impl<'a> Linearised<'a> {
     /// Every product of two errors, in all runs.
     fn products(&self, weights: &[Weights]) -> Vec<(Monomial, Product)> {
         let mut products: BTreeMap<Monomial, Product> = BTreeMap::new();
+        let size = weights.len().max(1);
         for (o, run) in self.runs.iter().enumerate() {
             let weights: Vec<Vec<Lanes>> = weights.iter().map(|w| in_blocks(w.0[o].iter().copied())).collect();
             // Taken out while this run adds to them.
             let of = |errors: &Monomial| {
                 let both = pair(errors)?;
                 let [first, second] = [run.shapes.get(&both[0])?, run.shapes.get(&both[1])?];
-                let pairs = first.len() * second.len();
-                let none = || Product { errors: both, pairs, moves: vec![0.0; weights.len() * pairs] };
+                let moves = first.len() * second.len() * weights.len();
+                let none = || Product { errors: both, moves: vec![0.0; moves] };
                 Some((products.remove(errors).unwrap_or_else(none), first, second))
             };
             let mut own: Vec<_> = run.second.products.iter().map(of).collect();
@@ -147,13 +146,13 @@ impl<'a> Linearised<'a> {
                 for (own, factors) in own.iter_mut().zip(factors) {
                     let Some((product, first, second)) = own else { continue };
                     let pairs = first.iter().flat_map(|a| second.iter().map(move |b| (&a[block], &b[block])));
-                    for (at, (a, b)) in pairs.enumerate() {
+                    for ((a, b), moves) in pairs.zip(product.moves.chunks_mut(size)) {
                         let mut values = [0.0; LANES];
                         for (value, ((f, a), b)) in values[..count].iter_mut().zip(factors.iter().zip(a).zip(b)) {
                             *value = f * a * b;
                         }
-                        let moves = product.moves.iter_mut().skip(at).step_by(product.pairs);
-                        moves.zip(&weights).for_each(|(m, weights)| *m += dot(&weights[block], &values));
+                        let moves = moves.iter_mut().zip(&weights);
+                        moves.for_each(|(m, weights)| *m += dot(&weights[block], &values));
                     }
                 }
             });
@@ -219,10 +218,8 @@ impl Product {
 
     /// The root mean square, over machines, of what it moves the function by where its basis is `here`.
     fn typical(&self, here: &[f64], machines: &Factors) -> f64 {
-        let mut moves = vec![0.0; self.pairs];
-        for (own, b) in self.moves.chunks(self.pairs.max(1)).zip(here) {
-            moves.iter_mut().zip(own).for_each(|(sum, m)| *sum += m * b);
-        }
+        let move_here = |moves: &[f64]| moves.iter().zip(here).map(|(m, b)| m * b).sum();
+        let moves: Vec<f64> = self.moves.chunks(here.len().max(1)).map(move_here).collect();
         let on = |machine| moves.iter().zip(self.factors(machine)).map(|(m, f)| m * f).sum::<f64>();
         let (squares, count) = machines.machines().map(on).fold((0.0, 0.0), |(sum, n), x| (sum + x * x, n + 1.0));
         (squares / f64::max(count, 1.0)).sqrt()
@@ -233,8 +230,7 @@ impl Product {
 fn moved(products: &[(Monomial, Product)], machine: OfMachine, coefficients: usize) -> Vec<f64> {
     let mut moved = vec![0.0; coefficients];
     for (_, product) in products {
-        for (at, factor) in product.factors(machine).enumerate() {
-            let moves = product.moves.iter().skip(at).step_by(product.pairs);
+        for (factor, moves) in product.factors(machine).zip(product.moves.chunks(coefficients.max(1))) {
             moved.iter_mut().zip(moves).for_each(|(sum, m)| *sum += m * factor);
         }
     }

@@ -5,6 +5,7 @@
 
 use super::gum::COVERAGE;
 use super::parts::Parts;
+use crate::study::dependence::Dependence;
 use crate::study::draw::Population;
 use crate::study::factors::Factors;
 use crate::study::fit::{Fit, Observation};
@@ -12,7 +13,7 @@ use crate::study::limits::ErrorLimits;
 use crate::study::setup::Setup;
 use crate::study::track::Track;
 use chacha20::ChaCha8Rng;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -55,8 +56,8 @@ pub(super) fn linearisation(setup: &Setup, observations: &[Observation], fit: &F
     }
     let samples = ranges.last().map_or(0, |range| range.end);
     let share = 1.0 / (MACHINES as f64).sqrt();
-    // Machine by machine, of each what it drops from every reading.
-    let (mut dropped, mut factors) = (vec![0.0; MACHINES * samples], Factors::room(setup, MACHINES));
+    // What it drops from every reading, a column for each machine.
+    let (mut dropped, mut factors) = (DMatrix::zeros(samples, MACHINES), Factors::room(setup, MACHINES));
     let drop = |small: &mut Vec<f64>, (n, (dropped, factors)): (usize, (&mut [f64], &mut [f64]))| {
         let mut random = ChaCha8Rng::seed_from_u64(0);
         random.set_stream(n as u64);
@@ -68,21 +69,19 @@ pub(super) fn linearisation(setup: &Setup, observations: &[Observation], fit: &F
         }
         dropped.iter_mut().zip(small).for_each(|(y, s)| *y = (*y - *s / SMALL) * share);
     };
-    let machine = samples.max(1);
-    let all = dropped.par_chunks_mut(machine).zip(factors.machines_mut());
-    all.enumerate().for_each_init(|| vec![0.0; samples], drop);
+    let columns = dropped.as_mut_slice().par_chunks_mut(samples.max(1));
+    columns.zip(factors.machines_mut()).enumerate().for_each_init(|| vec![0.0; samples], drop);
+    let of_run = |range: &Range<usize>| dropped.rows_range(range.clone());
     let usual = |range: &Range<usize>| {
-        let largest = |machine: &[f64]| machine[range.clone()].iter().fold(0.0, |l: f64, y| l.max(y.abs()));
-        let mut sizes: Vec<f64> = dropped.chunks(machine).map(largest).collect();
+        let mut sizes: Vec<f64> = of_run(range).column_iter().map(|machine| machine.amax()).collect();
         sizes.sort_by(f64::total_cmp);
         sizes.get((COVERAGE * sizes.len() as f64) as usize).map_or(0.0, |size| size / share)
     };
     let usual = ranges.iter().map(usual).collect();
-    let mut sample = 0;
-    let parts = fit.responses(setup, &thinned, MACHINES, |_, by| {
-        by.iter_mut().zip(dropped.iter().skip(sample).step_by(machine)).for_each(|(b, y)| *b = *y);
-        sample += 1;
-    });
+    let dependence = Dependence::new(setup, &thinned, fit);
+    let none = DMatrix::zeros(fit.base.len(), MACHINES);
+    let parts =
+        ranges.iter().enumerate().fold(none, |sum, (run, range)| sum + dependence.responses(run, of_run(range)));
     Dropped { parts, machines: factors, usual }
 }
 
