@@ -33,7 +33,7 @@
 //! computed in the arithmetic under test; the result is expanded back to the certified variable exactly. In `f32` the data
 //! and powers are rounded to seven digits before the fit sees them, and Wampler 4 and 5 bury coefficients of one under
 //! residuals of 2·10⁵ and 2·10⁷. *Double-double* is the scalar `DoubleDouble` of the feature `double-double`, for who calibrates
-//! the method itself: a push of 13 unknowns takes 33 times as long as in `f64`, a solution 17 times
+//! the method itself: a push of 13 unknowns takes 40 times as long as in `f64`, a solution 17 times
 //! (`cargo bench -p trunnion-solver --bench lstsq`).
 //!
 #![doc = include_str!("digits.md")]
