@@ -3,6 +3,7 @@
 use super::budget::{Budget, Combined, Detail, Source, Sources};
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
+use super::neglected::Neglected;
 use super::seen::Seen;
 use super::setup::{Setup, SetupError, coordinate};
 use super::systematic::{Contribution, Linearised};
@@ -83,8 +84,8 @@ pub(super) struct Curves<'a> {
     fit: &'a Fit,
     sources: &'a Sources<'a>,
     linearised: Linearised<'a>,
-    /// Per run, at each sample, the most that linearisation drops, mm.
-    bounds: Vec<Vec<f64>>,
+    /// Per run, what linearisation drops.
+    pub neglected: Vec<Neglected>,
 }
 
 impl<'a> Curves<'a> {
@@ -98,13 +99,8 @@ impl<'a> Curves<'a> {
         limits: ErrorLimits,
     ) -> Result<Self, SetupError> {
         let linearised = Linearised::new(setup, observations, sources, limits)?;
-        let bounds = linearised.bounds();
-        Ok(Self { setup, observations, fit, sources, linearised, bounds })
-    }
-
-    /// Per run the largest second-order reading that linearisation drops, mm.
-    pub fn neglected(&self) -> impl Iterator<Item = f64> {
-        self.bounds.iter().map(|bound| bound.iter().copied().fold(0.0, f64::max))
+        let neglected = linearised.neglected();
+        Ok(Self { setup, observations, fit, sources, linearised, neglected })
     }
 
     /// An estimated function where the runs that see it went.
@@ -131,8 +127,8 @@ impl<'a> Curves<'a> {
                 largest = Some((at, budget));
             }
             let weights = sources.dependence().weights(&fit.functional(setup, function, x));
-            let sum = |(w, b): (&[f64], &Vec<f64>)| w.iter().zip(b).map(|(w, b)| w.abs() * b).sum::<f64>();
-            dropped = dropped.max(unit.from_inner(weights.observations().zip(&self.bounds).map(sum).sum::<f64>()));
+            let sum = |(w, n): (&[f64], &Neglected)| w.iter().zip(&n.bound).map(|(w, b)| w.abs() * b).sum::<f64>();
+            dropped = dropped.max(unit.from_inner(weights.observations().zip(&self.neglected).map(sum).sum::<f64>()));
         }
         let coordinates: Vec<f64> = points.iter().map(|p| coordinate_unit.to_inner(p.at)).collect();
         let detail = largest.as_ref().map(|(at, _)| sources.detail(seen, coordinate_unit.to_inner(*at), unit));

@@ -142,7 +142,7 @@ pub fn report_on(
         coefficients: fit.base.iter().enumerate().map(coefficient).collect(),
         functions: fit.functions().iter().filter_map(|f| curves.of(f)).collect(),
         condition: fit.separation.condition,
-        neglected: curves.neglected().map(|largest| Unit::Um.from_inner(largest)).collect(),
+        neglected: curves.neglected.iter().map(|n| Unit::Um.from_inner(n.largest())).collect(),
         neglected_usual: sources.dropped().iter().map(|size| Unit::Um.from_inner(*size)).collect(),
         weighed_down: fit.weighed_down.iter().cloned().enumerate().map(|(i, down)| (called(i), down)).collect(),
         hysteresis: hysteresis(setup, observations, &fit.averages),

@@ -9,7 +9,7 @@ use super::budget::{Instrument, Sources};
 use super::factors::{Factors, OfMachine};
 use super::fit::{Fit, Observation};
 use super::limits::ErrorLimits;
-use super::neglected::{Place, SecondOrder, product_name, product_size};
+use super::neglected::{Neglected, Place, SecondOrder, product_name, product_size};
 use super::seen::Seen;
 use super::setup::{Setup, SetupError};
 use super::shape::parts;
@@ -97,9 +97,9 @@ impl<'a> Linearised<'a> {
         Ok(Self { setup, limits, runs, machines: sources.machines() })
     }
 
-    /// Per run, at each sample, the most that is dropped within the limits, mm.
-    pub fn bounds(&self) -> Vec<Vec<f64>> {
-        self.runs.iter().map(|run| run.second.within(&run.places, self.limits).bound).collect()
+    /// Per run, what is dropped within the limits.
+    pub fn neglected(&self) -> Vec<Neglected> {
+        self.runs.iter().map(|run| run.second.within(&run.places, self.limits)).collect()
     }
 
     /// What is left in the function whose coefficients depend on the readings by `weights`, over points of its coordinate.
