@@ -6,6 +6,7 @@ use super::support::Number;
 ///
 /// 32 multiplications, 9 additions, 1 division, 2 roundings, 2 sines and cosines.
 #[must_use]
+#[inline]
 pub fn tilting<T: Number>(r: T, a: T) -> [T; 13] {
     let n1_2 = T::of(0.5);
     let n3_2 = T::of(1.5);
@@ -46,6 +47,7 @@ pub fn tilting<T: Number>(r: T, a: T) -> [T; 13] {
 ///
 /// 37 multiplications, 13 additions, 2 divisions, 1 square root, 1 sine and cosine.
 #[must_use]
+#[inline]
 pub fn strut<T: Number>(
     x: T,
     y: T,

@@ -119,8 +119,9 @@ impl<T: Real, const P: usize> Blocked<T, P> {
 
     /// The factor of all rows so far.
     pub fn factor(&self) -> Factor<T, P> {
-        let mut factor = self.factor;
-        self.ahead.added(&self.upper).add_to(&mut factor, self.rows, self.weight);
+        let (mut factor, mut upper) = (self.factor, self.upper);
+        self.ahead.add_to(&mut upper);
+        upper.add_to(&mut factor, self.rows, self.weight);
         factor
     }
 
@@ -134,7 +135,7 @@ impl<T: Real, const P: usize> Blocked<T, P> {
     /// Adds the rows that are ahead to the triangle, which may then be changed.
     fn catch_up(&mut self) {
         if self.ahead.has_rows() {
-            self.upper = self.ahead.added(&self.upper);
+            self.ahead.add_to(&mut self.upper);
             self.changes += 1;
         }
         self.ahead.clear();

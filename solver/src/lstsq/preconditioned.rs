@@ -31,22 +31,13 @@ pub(super) struct Preconditioned<T, const P: usize> {
     /// Of all numbers in R and q.
     squares: T,
     sums: Products<T, P>,
-    /// Of the last block.
-    block: Products<T, P>,
 }
 
 impl<T: Real, const P: usize> Preconditioned<T, P> {
     /// Of no rows and no triangle.
     pub fn new() -> Self {
         let zero = T::zero();
-        Self {
-            n: 0,
-            units: [[zero; P]; P],
-            of_y: [zero; P],
-            squares: zero,
-            sums: Products::new(),
-            block: Products::new(),
-        }
+        Self { n: 0, units: [[zero; P]; P], of_y: [zero; P], squares: zero, sums: Products::new() }
     }
 
     /// Forgets the triangle and its rows.
@@ -56,7 +47,7 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
         }
     }
 
-    /// Takes a block of rows for a triangle, which has to stay as it is until they are [added](Self::added) to it; whether it did.
+    /// Takes a block of rows for a triangle, which has to stay as it is until they are [added](Self::add_to) to it; whether it did.
     /// There has to be a triangle of all columns, and a column to work in for each and for the readings.
     #[inline(always)]
     pub fn take<K: Kernel<T>>(
@@ -75,14 +66,14 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
             return false;
         }
         self.substituted(kernel, columns, y, b, e);
-        self.block.set(kernel, b, e);
-        let products = &self.block;
+        let mut products = Products::new();
+        products.set(kernel, b, e);
         let two = T::one() + T::one();
         // A = B R and y = e + B q: what bounds B and e bounds them. No comparison with NaN holds.
         let taken =
             products.trace(n) <= most(n) && weight * two * (most::<T>(n) * self.squares + products.yy) <= T::MOST;
         if taken {
-            self.sums.add(n, products);
+            self.sums.add(n, &products);
         }
         taken
     }
@@ -100,6 +91,8 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
     /// A triangle's units, if it has all its columns.
     #[cold]
     fn prepare(&mut self, upper: &Upper<T, P>, n: usize) -> bool {
+        let n = n.min(P);
+        self.squares = T::zero();
         for k in 0..n {
             let diagonal = upper.r[k][k];
             if diagonal * diagonal <= T::LEAST {
@@ -109,9 +102,9 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
                 self.units[k][j] = -upper.r[j][k];
             }
             self.units[k][k] = diagonal.recip();
+            self.squares = upper.r[k][k..n].iter().chain(&upper.q[k..=k]).fold(self.squares, |sum, &x| sum + x * x);
         }
         self.of_y = upper.q.map(|q| -q);
-        self.squares = upper.r.iter().flatten().chain(&upper.q).fold(T::zero(), |sum, &x| sum + x * x);
         self.n = n;
         true
     }
@@ -143,10 +136,9 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
         substitute(kernel, [y], [&self.of_y], [T::one()], b, core::array::from_mut(e));
     }
 
-    /// The triangle of its own rows and these.
-    pub fn added(&self, upper: &Upper<T, P>) -> Upper<T, P> {
-        let (n, mut c, mut z) = (self.n, self.sums.squares, self.sums.with_y);
-        let mut sum = *upper;
+    /// Makes the triangle that of its own rows and these.
+    pub fn add_to(&self, upper: &mut Upper<T, P>) {
+        let (n, mut c, mut z) = (self.n.min(P), self.sums.squares, self.sums.with_y);
         let mut explained = T::zero();
         for i in 0..n {
             c[i][i] += T::one();
@@ -170,14 +162,13 @@ impl<T: Real, const P: usize> Preconditioned<T, P> {
             for k in i..n {
                 let factor = own[k];
                 for j in k..n {
-                    row[j] += factor * sum.r[k][j];
+                    row[j] += factor * upper.r[k][j];
                 }
             }
-            sum.q[i] = (i..n).fold(z[i], |q, k| q + own[k] * sum.q[k]);
-            sum.r[i] = row;
+            upper.q[i] = (i..n).fold(z[i], |q, k| q + own[k] * upper.q[k]);
+            upper.r[i] = row;
         }
-        sum.rss += (self.sums.yy - explained).max(T::zero());
-        sum
+        upper.rss += (self.sums.yy - explained).max(T::zero());
     }
 }
 

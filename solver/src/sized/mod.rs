@@ -246,12 +246,10 @@ impl<const P: usize> TwoSteps<P> {
         self.order.first().len() + self.order.own().len()
     }
 
-    /// The factor of each step, if there are enough samples in both.
-    fn factors(&self) -> Result<[Factor<f64, P>; 2], Unsolved> {
-        let [first, second] = [&self.first, &self.second].map(Blocked::factor);
+    /// Whether there are enough samples in both steps.
+    fn enough(&self, first: &Factor<f64, P>, second: &Factor<f64, P>) -> Result<(), Unsolved> {
         enough(Step::First, first.samples(), self.order.first().len())?;
-        enough(Step::Second, second.samples(), self.order.own().len())?;
-        Ok([first, second])
+        enough(Step::Second, second.samples(), self.order.own().len())
     }
 
     /// The columns of each step.
@@ -287,13 +285,15 @@ impl<const P: usize> Estimate for TwoSteps<P> {
     }
 
     fn coefficients(&self) -> Result<DVector<f64>, Unsolved> {
-        let [first, second] = &self.factors()?;
+        let (first, second) = (&self.first.factor(), &self.second.factor());
+        self.enough(first, second)?;
         let coefficients = self.order.coefficients(first, second).map_err(Unsolved::in_step)?;
         Ok(leading(self.unknowns(), coefficients.as_slice()))
     }
 
     fn solve(&self, sigma: Option<f64>) -> Result<Solved, Unsolved> {
-        let (order, [first, second]) = (&self.order, &self.factors()?);
+        let (order, first, second) = (&self.order, &self.first.factor(), &self.second.factor());
+        self.enough(first, second)?;
         let solution = match sigma {
             None => order.solve(first, second),
             Some(sigma) => order.solve_with_sigma(first, second, sigma),

@@ -17,11 +17,17 @@ pub fn spread(recording: &[f64], block: usize, to: &mut Column<f64>) -> usize {
     let mut count = 0;
     for stretch in recording.chunks(recording.len().div_ceil(PLACES).max(1)) {
         let values = stretch.get(block * EACH..).unwrap_or_default();
-        let values = values.first_chunk::<EACH>().map_or(values, |values| values.as_slice());
-        if let Some(to) = to.get_mut(count..count + values.len()) {
-            to.copy_from_slice(values);
-            count += values.len();
-        }
+        let Some(to) = to.get_mut(count..) else { break };
+        count += match (values.first_chunk::<EACH>(), to.first_chunk_mut()) {
+            (Some(values), Some(to)) => {
+                *to = *values;
+                EACH
+            }
+            _ => {
+                to.iter_mut().zip(values).for_each(|(to, &value)| *to = value);
+                to.len().min(values.len())
+            }
+        };
     }
     count
 }

@@ -40,11 +40,13 @@ pub(super) fn item(function: &Function, called: &str, support: &Support) -> Toke
         let value = expressions.value(value);
         quote!(let #name = #value;)
     });
+    // Inline: compiled wherever it is called from, since a loop over a block's rows has no vector instructions with a call in it.
     let groups = [expressions.constants(), expressions.temporaries(), lines.collect()];
     let groups = groups.into_iter().filter(|group| !group.is_empty()).flat_map(|group| [group, blank(support)]);
     quote! {
         #docs
         #[must_use]
+        #[inline]
         #many
         pub fn #name<T: #number>(#(#parameters: T),*) -> #kind {
             #(#groups)*
