@@ -17,17 +17,16 @@ pub fn spread(recording: &[f64], block: usize, to: &mut Column<f64>) -> usize {
     let mut count = 0;
     for stretch in recording.chunks(recording.len().div_ceil(PLACES).max(1)) {
         let values = stretch.get(block * EACH..).unwrap_or_default();
-        let Some(to) = to.get_mut(count..) else { break };
-        count += match (values.first_chunk::<EACH>(), to.first_chunk_mut()) {
-            (Some(values), Some(to)) => {
-                *to = *values;
-                EACH
+        let rest = to.get_mut(count..).unwrap_or_default();
+        if let (Some(values), Some(to)) = (values.first_chunk::<EACH>(), rest.first_chunk_mut()) {
+            *to = *values;
+            count += EACH;
+        } else {
+            for (to, &value) in rest.iter_mut().zip(values.iter().take(EACH)) {
+                *to = value;
+                count += 1;
             }
-            _ => {
-                to.iter_mut().zip(values).for_each(|(to, &value)| *to = value);
-                to.len().min(values.len())
-            }
-        };
+        }
     }
     count
 }
