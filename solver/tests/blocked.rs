@@ -213,3 +213,23 @@ fn columns_that_the_factor_does_not_have_are_none() {
     }
     assert_eq!(five.factor(), seven.factor());
 }
+
+#[test]
+fn blocks_of_fewer_columns_leave_those_behind_as_they_are() {
+    let mut rows = rows(20 * ROWS, 6);
+    for room in [false, true] {
+        let mut blocked = Blocked::<f64, P>::new();
+        for (chunk, width) in rows.chunks_mut(ROWS).zip([5, 5, 5, 5, 3, 3, 3, 3, 5, 2].into_iter().cycle()) {
+            let (mut columns, mut y) = ([[0.0; ROWS]; P], [0.0; ROWS]);
+            for (i, (row, value)) in chunk.iter_mut().enumerate() {
+                row[width..].fill(0.0);
+                columns.iter_mut().zip(&*row).for_each(|(column, &x)| column[i] = x);
+                y[i] = *value;
+            }
+            let mut work = [[0.0; ROWS]; P + 1];
+            let work = if room { work.as_mut_slice() } else { &mut [] };
+            blocked.push_with(Portable, &mut columns[..width], &mut y, ROWS, 1.0, work).unwrap();
+        }
+        assert_same(&blocked.factor(), &streamed(&rows, |_| 1.0), 1e-10);
+    }
+}

@@ -23,6 +23,8 @@ pub struct Blocked<T, const P: usize> {
     ahead: Preconditioned<T, P>,
     /// What the triangle's rows weigh.
     weight: T,
+    /// How many columns they have: reflections and products leave those behind as they are, where an earlier row may have some.
+    width: usize,
     /// How many they are, with those that are ahead.
     rows: u32,
     /// How often the triangle was added to.
@@ -41,7 +43,7 @@ impl<T: Real, const P: usize> Blocked<T, P> {
     /// Of no rows.
     pub fn new() -> Self {
         let (factor, upper, ahead) = (Factor::new(), Upper::new(), Preconditioned::new());
-        Self { factor, upper, ahead, weight: T::one(), rows: 0, changes: 0, again: 0 }
+        Self { factor, upper, ahead, weight: T::one(), width: 0, rows: 0, changes: 0, again: 0 }
     }
 
     /// Takes the first `rows` rows of a block, each with `weight`: `columns` are those of the factor from the first on (the
@@ -79,7 +81,9 @@ impl<T: Real, const P: usize> Blocked<T, P> {
         for column in columns.iter_mut().chain([&mut *y]) {
             column[rows..].fill(T::zero());
         }
-        let tried = weight == self.weight && self.rows >= self.again;
+        let width = columns.len().min(P);
+        let alike = weight == self.weight && width == self.width;
+        let tried = alike && self.rows >= self.again;
         if tried && self.ahead.take(kernel, &self.upper, columns, y, weight, work) {
             if self.ahead.is_full() {
                 self.catch_up();
@@ -90,9 +94,9 @@ impl<T: Real, const P: usize> Blocked<T, P> {
                 return Ok(());
             }
             self.catch_up();
-            if weight != self.weight || self.changes >= GROUP {
+            if !alike || self.changes >= GROUP {
                 self.merge_triangle();
-                self.weight = weight;
+                (self.weight, self.width) = (weight, width);
             }
             self.upper.absorb(kernel, columns, y);
             self.changes += 1;
@@ -126,6 +130,9 @@ impl<T: Real, const P: usize> Blocked<T, P> {
     }
 
     fn merge_triangle(&mut self) {
+        if self.rows == 0 {
+            return;
+        }
         self.factor = self.factor();
         self.upper = Upper::new();
         self.ahead.clear();
